@@ -161,7 +161,10 @@ def test_simulate_steady_keeps_theta(capsys: pytest.CaptureFixture[str]) -> None
         assert max(abs(value - 0.5) for value in theta) < 1e-9
 
 
-def test_simulate_says_what_kind_of_motion_it_is(capsys: pytest.CaptureFixture[str]) -> None:
+def test_simulate_says_what_kind_of_motion_it_is(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "300")  # each sentence in one line
     arguments = "simulate top --theta 0.5 --omega3 40 --time 1 --samples 81"
     assert main(arguments.split()) == 0
     assert capsys.readouterr().out.splitlines()[-2] == (
@@ -193,8 +196,9 @@ def test_a_corrected_form_says_what_it_holds_for(capsys: pytest.CaptureFixture[s
     ],
 )  # fmt: skip
 def test_simulate_says_what_the_regime_is(
-    capsys: pytest.CaptureFixture[str], arguments: str, says: str
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, arguments: str, says: str
 ) -> None:
+    monkeypatch.setenv("COLUMNS", "300")  # each sentence in one line
     assert main(f"simulate {arguments} --time 1".split()) == 0
     assert capsys.readouterr().out.splitlines()[-2].startswith(says)
 

@@ -294,7 +294,7 @@ def _forms(collection: Collection, until: float) -> Form:
 
 def _print(told: Sequence[Told]) -> None:
     from rigidtop.commands.check import VERDICT_COLORS
-    from rigidtop.terminal.table import table, wants_color
+    from rigidtop.terminal.table import paragraph, table, wants_color
 
     colors = None
     if wants_color(sys.stdout):
@@ -325,7 +325,7 @@ def _print(told: Sequence[Told]) -> None:
         heads = ("", "verdict", "why", "where")
         print(table(open_rows, heads, colors=colors, right=(0,)))
         print()
-    print(summary(told))
+    print(paragraph(summary(told)))
 
 
 MOST_WRONG, MOST_OPEN = 40, 6

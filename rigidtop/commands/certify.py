@@ -77,7 +77,7 @@ def record(found: Certificate) -> dict[str, object]:
 
 def text(found: Certificate, asked: str) -> str:
     """A certificate as tables for the terminal; `asked` says what for."""
-    from rigidtop.terminal.table import table
+    from rigidtop.terminal.table import paragraph, table
 
     parts = [f"One motion in {len(found.ways)} ways, {asked}"]
     if found.ways:
@@ -106,7 +106,7 @@ def text(found: Certificate, asked: str) -> str:
         parts.append(_numbers(rows, head))
     reasons = [[what, why] for what, why in found.left_out.items()]
     parts.append(table(reasons, ("left out", "because")))
-    parts.append(verdict(found))
+    parts.append(paragraph(verdict(found)))
     return "\n\n".join(parts)
 
 
@@ -129,8 +129,7 @@ def _numbers(rows: Sequence[Sequence[str]], head: Sequence[str]) -> str:
     """A table of which all columns but the first are numbers."""
     from rigidtop.terminal.table import table
 
-    # The last column of a table is text: here one without any.
-    return table([[*row, ""] for row in rows], (*head, ""), right=range(1, len(head)))
+    return table(rows, head, right=range(1, len(head)))
 
 
 def _small(value: float) -> str:

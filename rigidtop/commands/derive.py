@@ -31,8 +31,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--format",
         choices=(*PROSE, *SOURCES),
         default="text",
-        help="how to write it (default: text); in a programming language, a function that "
-        "evaluates its right-hand sides",
+        metavar="FORMAT",
+        help=f"how to write it: {', '.join(PROSE)} (default: text), or a function that evaluates "
+        f"its right-hand sides: {', '.join(SOURCES)}",
     )
     parser.add_argument(
         "--deep",

@@ -30,7 +30,7 @@ deg; rates are rad/s, or turns a minute with the suffix rpm.
 examples:
   rigidtop exercise toppling-top --set theta=30deg
   rigidtop exercise toppling-top --student
-  rigidtop exercise --sheet out --student --pdf     # all of them, without solutions"""
+  rigidtop exercise --sheet out --student --pdf   # all, without solutions"""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -135,22 +134,18 @@ def _write(drawing: Drawing, path: Path, kind: str, values: dict[str, float], fr
 
 
 def _print_list(figures: tuple[Drawing, ...], as_json: bool) -> None:
-    from rigidtop.terminal.table import columns, padded, wrapped
+    from rigidtop.terminal.table import columns, padded, paragraph
 
     if as_json:
         print_json([_record(each) for each in figures])
         return
-    width = shutil.get_terminal_size((80, 24)).columns
     room = max(columns(each.name) for each in figures) + 2
     for each in figures:
         title = unmarked(each.title) + (" (moves)" if each.animate else "")
-        start = padded(each.name, room)
-        for line in wrapped(title, max(width - room, 12)):
-            print(start + line)
-            start = " " * room
+        print(paragraph(title, padded(each.name, room), " " * room))
         defaults = " ".join(f"{p.name}={p.default:.4g}" for p in each.parameters)
-        for line in wrapped(defaults, max(width - 4, 12)):
-            print("    " + line)
+        if defaults:
+            print(paragraph(defaults, "    ", "    "))
 
 
 def _record(drawing: Drawing) -> dict[str, object]:

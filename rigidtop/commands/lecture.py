@@ -112,6 +112,7 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.report.lecture import Edition, Wanted, write_lecture
     from rigidtop.report.solutions import solved
     from rigidtop.terminal.files import check_folder
+    from rigidtop.terminal.table import paragraph
     from rigidtop.web.player import player
 
     if options.record and (options.slides or options.fragment or options.format or options.live):
@@ -162,8 +163,9 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     if options.json:
         print_json({"files": [str(file) for file in files], "passed": passed})
     else:
-        print(_listed(files, options.output))
-        print(claims.summary(judgements))
+        print(paragraph(_listed(files, options.output)))
+        print(paragraph(claims.summary(judgements)))
         said = f"NOT CONFIRMED: {', '.join(unsolved)}" if unsolved else "every number confirmed"
-        print(f"{len(solutions)} exercise{'s' * (len(solutions) != 1)} solved; {said}")
+        solved_all = f"{len(solutions)} exercise{'s' * (len(solutions) != 1)} solved"
+        print(paragraph(f"{solved_all}; {said}"))
     return 0 if passed else claims.FAILED

@@ -49,6 +49,7 @@ def _run(
     lecture: Lecture, names: list[str], options: argparse.Namespace, notation: Notation
 ) -> int:
     from rigidtop.report.map import KINDS, drawn, label, part
+    from rigidtop.terminal.table import paragraph
 
     whole = lecture.map
     shown = part(whole, names) if names else whole
@@ -87,8 +88,9 @@ def _run(
     for name, on in shown.items():
         if name not in lecture.laws:
             said = ", ".join(label(lecture, each, notation) for each in on) or "definitions alone"
-            print(f"{label(lecture, name, notation)}: {said}")
+            print(paragraph(f"{label(lecture, name, notation)}: {said}", rest="  "))
     for name in names:
         below = [label(lecture, each, notation) for each in lecture.resting(name)]
-        print(f"\nOn {label(lecture, name, notation)} rest {len(below)}: {', '.join(below)}")
+        on_it = f"On {label(lecture, name, notation)} rest {len(below)}: {', '.join(below)}"
+        print("\n" + paragraph(on_it, rest="  "))
     return 0

@@ -183,7 +183,7 @@ def _cell(said: str) -> str:
 
 
 def _print(found: Marking) -> None:
-    from rigidtop.terminal.table import table, wants_color, wrapped
+    from rigidtop.terminal.table import paragraph, table, wants_color
 
     rows = [[str(line.line or ""), line.mark.value, line.said] for line in found.lines]
     colors = COLORS if wants_color(sys.stdout) else None
@@ -191,10 +191,10 @@ def _print(found: Marking) -> None:
     print()
     for line in found.lines:
         if line.note and line.mark.value != "definition":
-            print("\n  ".join(wrapped(f"line {line.line}: {line.note}", 78)))
-    print(found.summary)
+            print(paragraph(f"line {line.line}: {line.note}", rest="  "))
+    print(paragraph(found.summary))
     for lost in found.lost:
-        print(f"{lost}: state the condition, or look at that motion on its own")
+        print(paragraph(f"{lost}: state the condition, or look at that motion on its own"))
 
 
 def _typed() -> str:

@@ -60,7 +60,7 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.notation import BUILT_IN, named
     from rigidtop.proof.words import unmarked
     from rigidtop.report.notations import record, rows, turns
-    from rigidtop.terminal.table import table
+    from rigidtop.terminal.table import paragraph, table, terminal_width
 
     notations = [named(name) for name in options.name or BUILT_IN]
     if options.json:
@@ -68,17 +68,16 @@ def run(options: argparse.Namespace) -> int:
         return 0
     blocks = []
     for notation in notations:
+        about = (notation.source, unmarked(turns(notation)), unmarked(notation.note))
         head = [
-            f"{notation.name}: {notation.title}",
-            f"  {notation.source}",
-            f"  {unmarked(turns(notation))}",
+            paragraph(f"{notation.name}: {notation.title}", rest="  "),
+            *(paragraph(said, "  ", "  ") for said in about if said),
         ]
-        if notation.note:
-            head.append(f"  {unmarked(notation.note)}")
         found = rows(notation)
         if found:
             columns = ("here", "in the notes", "in code", "meaning")
-            head += [f"  {line}" for line in table(found, columns).splitlines()]
+            made = table(found, columns, width=terminal_width() - 2)
+            head += [f"  {line}" for line in made.splitlines()]
         else:
             head.append("  All letters are those of the notes.")
         blocks.append("\n".join(head))

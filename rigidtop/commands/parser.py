@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
+from itertools import groupby
+from textwrap import fill
 from typing import Any, NoReturn
 
 from rigidtop.commands import (
@@ -51,6 +53,17 @@ COMMANDS = {
 the exit code."""
 
 
+class Help(argparse.HelpFormatter):
+    """Paragraphs as wide as the terminal; what is indented stands as it is written."""
+
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        made: list[str] = []
+        for indented, group in groupby(text.splitlines(), lambda line: line[:1] in ("", " ")):
+            lines = list(group)
+            made += lines if indented else fill(" ".join(lines), width).splitlines()
+        return "\n".join(indent + line for line in made)
+
+
 class Parser(argparse.ArgumentParser):
     """Errors in one line, without the usage."""
 
@@ -81,7 +94,7 @@ def _parser() -> Parser:
         )
         if epilog := getattr(module, "EPILOG", None):
             command.epilog = epilog
-            command.formatter_class = argparse.RawDescriptionHelpFormatter
+        command.formatter_class = Help
         command.add_argument("--json", action="store_true", help="print JSON instead of text")
         command.set_defaults(run=module.run, refuse=command.error)
         module.add_options(command)

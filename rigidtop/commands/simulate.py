@@ -72,17 +72,17 @@ def run(options: argparse.Namespace) -> int:
         values = {name: [float(x) for x in column] for name, column in columns.items()}
         print_json({"columns": values, **record})
         return 0
+    from rigidtop.terminal.table import paragraph, table
+
     if options.output:
         print(options.output)
     else:
-        from rigidtop.terminal.table import table
-
         # + 0.0 writes −0 as 0
         rows = [[f"{x + 0.0:.6g}" for x in row] for row in zip(*columns.values(), strict=True)]
         print(table(rows, tuple(columns), right=range(len(columns))) + "\n")
-    print("\n".join(said))
+    print("\n".join(map(paragraph, said)))
     for line in warned:
-        print(line, file=sys.stderr)
+        print(paragraph(line), file=sys.stderr)
     return 0
 
 

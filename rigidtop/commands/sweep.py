@@ -29,18 +29,19 @@ ABOUT = "map a grid of tops into a file, on one machine or a cluster"
 
 EPILOG = """\
 quantities: regime (codes; their names are in FILE.json), nutation_period,
-  mean_precession, precession_per_period, theta_min, theta_max; and at a time t: theta,
-  phi, psi, theta_dot, phi_dot, psi_dot
-names: lambda1, lambda3, M, R, g, theta, theta_dot, phi, phi_dot, psi, t, and omega3 or
-  psi_dot; angles and their rates in radians, or degrees with the suffix deg
+  mean_precession, precession_per_period, theta_min, theta_max; and at a time t:
+  theta, phi, psi, theta_dot, phi_dot, psi_dot
+names: lambda1, lambda3, M, R, g, theta, theta_dot, phi, phi_dot, psi, t, and
+  omega3 or psi_dot; angles and their rates in radians, or degrees with the
+  suffix deg
 
 FILE can be read by numpy.load.  Interrupted, the same command goes on from there.
 
 examples:
   rigidtop sweep -o map.npy --axis omega3=0:60:10000 --axis phi_dot=-5:5:10000
-  rigidtop sweep -o tilt.npy --quantity theta --axis t=0:10:1001 --axis omega3=10,20,40
-  rigidtop sweep -o map.npy --axis theta=1deg:179deg:2000 --axis omega3=0:60:2000 \
---scheduler tcp://host:8786"""
+  rigidtop sweep -o tilt.npy --quantity theta --axis t=0:9:901 --axis M=1,2
+  rigidtop sweep -o map.npy --axis theta=1deg:179deg:2000 \\
+    --axis omega3=0:60:2000 --scheduler tcp://host:8786"""
 
 EXAMPLE = {**EXAMPLE_TOP, "theta": motions.THETA.default}
 """What is neither set nor an axis."""

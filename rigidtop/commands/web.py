@@ -24,8 +24,8 @@ so it can be shared as a link.  It needs the extra web: pip install 'rigidtop[we
 
 --preset is what the page shows first, --set changes a number of that:
   heavy-top: slow, fast, waves, cusps, loops, sleeping, waking, toppling
-    lambda1, lambda2, lambda3 (kg m²), M (kg), g (m/s²), R1, R2, R (m), theta, phi, psi,
-    theta_dot, phi_dot, omega3
+    lambda1, lambda2, lambda3 (kg m²), M (kg), g (m/s²), R1, R2, R (m), theta,
+    phi, psi, theta_dot, phi_dot, omega3
   free: free-precession, plate, flip, largest, smallest, toutatis
     lambda1, lambda2, lambda3, omega1, omega2, omega3
 Angles are radians, or degrees with the suffix deg; rates rad/s, or turns a minute with
@@ -33,7 +33,7 @@ the suffix rpm.
 
 examples:
   rigidtop web heavy-top -o top.html
-  rigidtop web heavy-top --preset loops --set theta=45deg omega3=20 -o loops.html
+  rigidtop web heavy-top --preset loops --set theta=45deg omega3=20 -o my.html
   rigidtop web free --preset toutatis -o toutatis.html"""
 
 KINDS = ("heavy-top", "free")

@@ -29,6 +29,7 @@ from rigidtop.report.ways import claim_told
 from rigidtop.report.wording import Wording
 from rigidtop.terminal.files import write_all
 from rigidtop.terminal.progress import over
+from rigidtop.terminal.table import terminal_width
 
 PLAIN = b.Look()
 
@@ -44,7 +45,7 @@ def fragment(
     """
     made = _told(judgement, notation, deep, marks=format == "text")
     if format == "text":
-        return plain.fragment(made)
+        return plain.fragment(made, terminal_width())
     if format == "latex":
         return tex.fragment(made)
     if format == "html":

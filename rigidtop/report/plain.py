@@ -58,9 +58,9 @@ def _(block: b.Paragraph, width: int) -> list[str]:
 def _(block: b.Display, width: int) -> list[str]:
     made = ["", f"{block.label}:"] if block.label else [""]
     for row in block.rows:
-        reason = _wrapped(rich(row.spoken), width, "    ", "    ") if row.reason else []
+        reason = _wrapped(rich(row.spoken), width, "  ", "  ") if row.reason else []
         marks = (f"({row.tag})" if row.tag else "", f"[{row.verdict}]" if row.verdict else "")
-        equation = "  ".join(filter(None, (f"  {text(row.equation, row.order)}", *marks)))
+        equation = "  ".join(filter(None, (f"    {text(row.equation, row.order)}", *marks)))
         made += [*reason, equation]
     return made
 

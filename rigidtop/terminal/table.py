@@ -1,4 +1,4 @@
-"""Aligned tables for the terminal."""
+"""Aligned tables, and paragraphs, as wide as the terminal."""
 
 from __future__ import annotations
 
@@ -12,7 +12,15 @@ from typing import TextIO
 
 from rigidtop.terminal.visible import visible
 
+LEAST = 12
+"""A column of text is no narrower."""
+
 _COLORS = {"green": "32", "yellow": "33", "red": "31", "blue": "34", "magenta": "35", "dim": "2"}
+
+
+def terminal_width() -> int:
+    """How many columns the terminal has; 80 where there is none, and COLUMNS says it otherwise."""
+    return shutil.get_terminal_size((80, 24)).columns
 
 
 def columns(text: str) -> int:
@@ -59,6 +67,18 @@ def wrapped(text: str, room: int) -> list[str]:
     return [cut(line, room) for line in lines]
 
 
+def paragraph(text: str, first: str = "", rest: str = "") -> str:
+    """A text in lines as wide as the terminal, the `first` and the `rest` begun so.
+
+    >>> print(paragraph("one two " * 12, "- ", "  "))
+    - one two one two one two one two one two one two one two one two one two one
+      two one two one two
+    """
+    room = max(terminal_width() - max(columns(first), columns(rest)), LEAST)
+    lines = wrapped(text, room)
+    return "\n".join((rest if k else first) + line for k, line in enumerate(lines))
+
+
 def padded(text: str, room: int, right: bool = False) -> str:
     """The text with spaces, as wide as `room` columns."""
     space = " " * max(0, room - columns(text))
@@ -75,28 +95,66 @@ def table(
 ) -> str:
     """Rows in aligned columns; the last column is wrapped to what is left of `width`.
 
+    Columns that find no room stand in a table below, beside the first, which says what a row is.
     `right` are the columns that are aligned to the right.  `colors` gives a colour name to the
     cells that consist of a word; pass it only when `wants_color` says so.  `width` is that of the
-    terminal if it is not given, and 80 where there is none.
+    terminal if it is not given.
     """
     if not rows:
         return ""
-    width = width if width is not None else shutil.get_terminal_size((80, 24)).columns
+    room = terminal_width() if width is None else width
     every = [[*map(visible, row)] for row in ([head, *rows] if head else rows)]
+    return "\n\n".join(
+        _table(
+            [[row[i] for i in beside] for row in every],
+            bool(head),
+            room,
+            [k for k, i in enumerate(beside) if i in right],
+            colors,
+        )
+        for beside in _abreast(every, room)
+    )
+
+
+def _abreast(every: Sequence[Sequence[str]], width: int) -> list[list[int]]:
+    """Which columns find room beside one another, each time with the first."""
+    longest = [max(map(columns, cells)) for cells in zip(*every, strict=True)]
+    longest[-1] = min(longest[-1], LEAST)  # the last one is wrapped
+    groups, used = [[0]], longest[0]
+    for column, length in enumerate(longest[1:], 1):
+        if length and used + 2 + length > width and groups[-1][1:]:
+            groups.append([0])
+            used = longest[0]
+        groups[-1].append(column)
+        used += 2 + length
+    return groups
+
+
+def _table(
+    every: Sequence[Sequence[str]],
+    head: bool,
+    width: int,
+    right: Sequence[int],
+    colors: Mapping[str, str] | None,
+) -> str:
+    """Rows, the first of them perhaps a `head`, in columns that find room beside one another."""
     rooms = [max(columns(row[i]) for row in every) for i in range(len(every[0]) - 1)]
     indent = sum(rooms) + 2 * len(rooms)
-    rest = max(width - indent, 12)
+    rest = max(width - indent, LEAST)
+    last = len(rooms)
+    number = min(max(columns(row[-1]) for row in every), rest) if rooms and last in right else 0
     lines: list[str] = []
-    for number, row in enumerate(every):
+    for place, row in enumerate(every):
         first = [
             _colored(padded(cell, room, i in right), cell, colors)
             for i, (cell, room) in enumerate(zip(row, rooms, strict=False))
         ]
         for j, piece in enumerate(wrapped(row[-1], rest)):
             start = "  ".join(first) if j == 0 else " " * (indent - 2)
-            last = _colored(piece, row[-1], colors) if j == 0 else piece
-            lines.append(f"{start}  {last}".rstrip() if rooms else last)
-        if head and number == 0:
+            shown = padded(piece, number, right=True)
+            shown = _colored(shown, row[-1], colors) if j == 0 else shown
+            lines.append(f"{start}  {shown}".rstrip() if rooms else shown)
+        if head and place == 0:
             longest = max(columns(line) for row in every[1:] for line in wrapped(row[-1], rest))
             lines.append("─" * min(max(indent + longest, columns(lines[0])), max(width, indent)))
     return "\n".join(lines)

@@ -51,6 +51,7 @@ def test_json(capsys):
 
 @pytest.mark.usefixtures("without_orders")
 def test_a_time_that_is_too_long_to_tell(capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "300")  # each sentence in one line
     right = motions.certify
 
     def late(*arguments, **options):

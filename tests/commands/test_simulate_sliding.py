@@ -44,7 +44,8 @@ def test_json_is_the_motion(capsys):
     assert found["budget"] < 1e-8
 
 
-def test_table_ends_with_the_motion_and_events_go_to_stderr(capsys):
+def test_table_ends_with_the_motion_and_events_go_to_stderr(capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "300")  # all columns in one table
     code, out, err = simulate(capsys, *FALLS, "--samples", "31")
     assert code == 0
     *rows, blank, dissipated, budget = out.splitlines()

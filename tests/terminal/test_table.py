@@ -39,6 +39,15 @@ def test_numbers_to_the_right_and_one_column():
     assert table([]) == ""
 
 
+def test_what_finds_no_room_stands_below_beside_the_first():
+    made = table([("0", "1.5", "10.25"), ("1", "2.5", "7")], ("t/s", "x/m", "v/m"), width=12,
+                 right=range(3))  # fmt: skip
+    assert made.splitlines() == [
+        *("t/s  x/m", "────────", "  0  1.5", "  1  2.5", ""),
+        *("t/s    v/m", "──────────", "  0  10.25", "  1      7"),
+    ]
+
+
 def test_colour_changes_no_width():
     made = table(ROWS, width=60, colors={"proved": "green"})
     assert "\033[32mproved\033[0m    λ₁" in made
