@@ -75,7 +75,8 @@ def test_numbers_that_the_file_leaves_out_are_told(capsys, file):
     assert "; not in the file: (3.40)\n" in capsys.readouterr().out
 
 
-def test_what_was_not_taken_as_a_formula_is_told(capsys, file, tmp_path):
+def test_what_was_not_taken_as_a_formula_is_told(capsys, file, tmp_path, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "300")  # the summary in one line
     name = file(MATRIX + "\n$$T = 0\n")
     assert main(["audit", name]) == 1
     shown = capsys.readouterr().out
@@ -94,7 +95,8 @@ OTHERS = (
 )
 
 
-def test_formulas_without_a_number_are_held_against_the_file(capsys, file, tmp_path):
+def test_formulas_without_a_number_are_held_against_the_file(capsys, file, tmp_path, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "300")  # the summary in one line
     name = file(OTHERS + MATRIX)
     assert main(["audit", name]) == 0
     told = (

@@ -446,10 +446,10 @@ def test_text_fragment(judged):
         "Steady precession & its rate.",
         "",
         "The notes print:",
-        "    θ̈ = 0 in (3.54)",
-        "  0 = λ₁φ̇² sin θ cos θ − λ₃(ψ̇ + φ̇ cos θ)φ̇ sin θ + MgR sin θ  [proved]",
-        "  0 = λ₁Ω² cos θ − λ₃(ψ̇ + φ̇ cos θ)Ω + MgR, with ψ̇ + φ̇ cos θ ≡ ω₃  [assuming]",
-        "  0 = (λ₁ cos θ)Ω² − (λ₃ω₃)Ω + MgR  (3.57)  [proved]",
+        "  θ̈ = 0 in (3.54)",
+        "    0 = λ₁φ̇² sin θ cos θ − λ₃(ψ̇ + φ̇ cos θ)φ̇ sin θ + MgR sin θ  [proved]",
+        "    0 = λ₁Ω² cos θ − λ₃(ψ̇ + φ̇ cos θ)Ω + MgR, with ψ̇ + φ̇ cos θ ≡ ω₃  [assuming]",
+        "    0 = (λ₁ cos θ)Ω² − (λ₃ω₃)Ω + MgR  (3.57)  [proved]",
     ]
 
 
