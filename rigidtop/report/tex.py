@@ -17,12 +17,10 @@ from rigidtop.report import plain
 from rigidtop.report.languages import said
 from rigidtop.report.tex_lines import (
     aligned,
-    beside,
-    display,
-    in_line,
+    goes_on,
     prose,
     rich,
-    stands_alone,
+    shown,
 )
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import sizes
@@ -124,15 +122,10 @@ def _joined(
             shown = shown if narrow == shown else rf"\rtbroken{{{shown}}}{{{narrow}}}"
         words = pending + shown
         pending = ""
-        if isinstance(block, b.Paragraph) and isinstance(after, b.Display):
-            reason = after.rows[0].reason
-            if block.held and not reason:  # an equation in its midst
-                pending = words.removesuffix(r"\held") + "\n"
-                continue
-            if after.step and reason and not (block.held or stands_alone(after)):
-                pending = words + "\n"
-                continue
-        yield words
+        if goes_on(block, after):
+            pending = words.removesuffix(r"\held") + "\n"
+        else:
+            yield words
     if solved < len(blocks):
         yield r"\rtrest"
 
@@ -298,10 +291,7 @@ def _(block: b.ClaimHead) -> str:
 
 @tex_block.register
 def _(block: b.Display) -> str:
-    label = rf"\lab{{{prose(block.label)}}}" if block.label else ""
-    rows = beside(block.rows, block.room) if block.step else block.rows
-    step = in_line(rows, block.room, label) if block.step else ""
-    return step or label + "\n" * bool(label) + display(rows, block.room)
+    return shown(block)
 
 
 @tex_block.register

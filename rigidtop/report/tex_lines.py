@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rigidtop.notation.characters import MATHS, SIGNS, SUPERSCRIPTS, escape
+from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import Verdict
 from rigidtop.report import blocks as b
 from rigidtop.terminal.visible import visible
@@ -32,18 +33,18 @@ def _piece(piece: b.Piece) -> str:
         return rf"\verdict{{{piece}}}"
     if isinstance(piece, b.Cited):
         return rf"\rtcited{{{piece.anchor}}}{{{prose(piece.words)}}}"
-    return prose(piece) if isinstance(piece, str) else f"${_in_words(piece)}$"
+    return prose(piece) if isinstance(piece, str) else f"${in_words(piece)}$"
 
 
-def _in_words(node: lay.Node) -> str:
+def in_words(node: lay.Node) -> str:
     """Mathematics in a sentence: fractions with a slash; what is long may be broken."""
     match node:
         case lay.Chain():
             signs = ["", *(f" {SIGNS[sign]} " for sign in node.signs)]
             sides = zip(signs, node.sides, strict=True)
-            return "".join(sign + _in_words(side) for sign, side in sides)
+            return "".join(sign + in_words(side) for sign, side in sides)
         case lay.Sum(terms=(lay.Signed(negative=True, body=body),)):
-            return "-" + _in_words(body)
+            return "-" + in_words(body)
         case lay.Derivative(body=lay.Letter(), inside=True, order=1):
             d = r"\partial " if node.partial else "d"
             flat = f"{d}{latex(node.body)}/{d}{latex(node.by)}"
@@ -56,7 +57,7 @@ def _in_words(node: lay.Node) -> str:
                 node.under, lay.Letter | lay.Number | lay.Power | lay.Root | lay.Apply
             )
             under = node.under if single else lay.bracketed(node.under)
-            return rf"{_in_words(over)}/{latex(under)}"
+            return rf"{in_words(over)}/{latex(under)}"
     return latex(node).replace(")(", r")\allowbreak (")
 
 
@@ -71,9 +72,19 @@ def _unit_character(c: str) -> str:
     return f"${MATHS[c]}$" if c in "−×″" else r"\," if c == " " else escape(c)
 
 
+def goes_on(block: b.Block, after: b.Block | None) -> bool:
+    """Whether a paragraph goes on with the sentence of the step, or the equation, behind it."""
+    if not (isinstance(block, b.Paragraph) and isinstance(after, b.Display)):
+        return False
+    reason = after.rows[0].reason
+    if block.held:  # an equation in its midst
+        return not reason
+    return after.step and bool(reason) and not stands_alone(after)
+
+
 def stands_alone(block: b.Display) -> bool:
     """Whether a step is a line of its own."""
-    return bool(in_line(beside(block.rows, block.room), block.room))
+    return fits_in_line(beside(block.rows, block.room), block.room)
 
 
 def beside(rows: Sequence[b.Row], room: float) -> Sequence[b.Row]:
@@ -98,33 +109,34 @@ WORD = 0.9
 """The width of a letter of a sentence in letters of an equation."""
 
 
-def in_line(rows: Sequence[b.Row], room: float, label: str = "") -> str:
-    """A short step in one line with its sentence; nothing where it is longer, or has a number."""
+def fits_in_line(rows: Sequence[b.Row], room: float) -> bool:
+    """Whether a step has one line with its sentence: it is short, and has no number."""
     row, *more = rows
     if more or row.tag or row.mark is not None or not row.reason:
-        return ""
-    equations = (row.equation, *row.beside)
-    words = rich(row.spoken)
-    width = sum(sizes.width(layout(each, row.order)) + 3 for each in equations)
+        return False
+    width = sum(sizes.width(layout(each, row.order)) + 3 for each in abreast(row))
     # Neither its indent nor the place of a number is needed.
-    if WORD * len(seen(words)) + width > 1.1 * room:
-        return ""
-    shown = r" \qquad ".join(latex(each, row.order) for each in equations)
-    return rf"\rtstep{{{label}{words}}}{{{shown}}}"
+    return WORD * len(seen(rich(row.spoken))) + width <= 1.1 * room
+
+
+def shown(block: b.Display) -> str:
+    """A display; a short step in one line with its sentence."""
+    label = rf"\lab{{{prose(block.label)}}}" if block.label else ""
+    rows = beside(block.rows, block.room) if block.step else block.rows
+    if not (block.step and fits_in_line(rows, block.room)):
+        return label + "\n" * bool(label) + display(rows, block.room)
+    equations = r" \qquad ".join(latex(each, rows[0].order) for each in abreast(rows[0]))
+    return rf"\rtstep{{{label}{rich(rows[0].spoken)}}}{{{equations}}}"
+
+
+def abreast(row: b.Row) -> Sequence[Equation]:
+    """The equations of one line."""
+    return row.equation, *row.beside
 
 
 def display(rows: Sequence[b.Row], room: float = sizes.LINE) -> str:
-    """The rows in ``align``, smaller where a line is too wide for the page.
-
-    Rows share their = sign as long as that does not make them too wide together.
-    """
-    together: list[list[AlignRow]] = []
-    for row in rows:
-        lines = aligned(row, room)
-        if together and _width([*together[-1], lines]) <= WIDE * room:
-            together[-1].append(lines)
-        else:
-            together.append([lines])
+    """The rows in ``align``, smaller where a line is too wide for the page."""
+    together = sharing(rows, room)
     # Side notes go out from the sentence: inside the display there is no place for them.
     notes = "".join(_note(row.mark) for row in rows)
     together[0][0] = replace(together[0][0], reason=together[0][0].reason + notes)
@@ -133,15 +145,34 @@ def display(rows: Sequence[b.Row], room: float = sizes.LINE) -> str:
     return rf"{{\interlinepenalty10000 {made}\par}}" if notes else made
 
 
+def sharing(rows: Sequence[b.Row], room: float) -> list[list[AlignRow]]:
+    """Rows share their = sign as long as that does not make them too wide together."""
+    together: list[list[AlignRow]] = []
+    for row in rows:
+        lines = aligned(row, room)
+        if together and not is_wide([*together[-1], lines], room):
+            together[-1].append(lines)
+        else:
+            together.append([lines])
+    return together
+
+
+def is_wide(rows: Sequence[AlignRow], room: float) -> bool:
+    """Whether rows that share their = sign do not fit in their usual size."""
+    lines = [line for row in rows for line in row.lines]
+    left = max(sizes.width(line.left) if line.left else 0 for line in lines)
+    return left + 3 + max(sizes.width(line.right) for line in lines) > WIDE * room
+
+
 WIDE = 1.04
 """A line that is wider than this, in its room, does not fit in its usual size."""
 
 
 def _sized(rows: Sequence[AlignRow], room: float) -> str:
-    if _width(rows) <= WIDE * room:
+    if not is_wide(rows, room):
         return align(rows, room)
     (row,) = rows
-    inside = r" \\ ".join(row_lines(_hung(row)))
+    inside = r" \\ ".join(row_lines(hung(row)))
     place = rf"\phantomsection\label{{{row.label}}}" if row.label else ""
     behind = (f"({row.tag})" if row.tag else "") + row.behind
     return (
@@ -149,7 +180,7 @@ def _sized(rows: Sequence[AlignRow], room: float) -> str:
     )
 
 
-def _hung(row: AlignRow) -> AlignRow:
+def hung(row: AlignRow) -> AlignRow:
     """A row with its left side in a line of its own, where that makes it less wide."""
     first, *rest = row.lines
     if first.left is None or sizes.width(first.left) < HUNG:
@@ -162,18 +193,11 @@ HUNG = 6.0
 """A left side that is shorter than this gives no room where it stands alone."""
 
 
-def _width(rows: Sequence[AlignRow]) -> float:
-    """What rows need that share their = sign, in letters."""
-    lines = [line for row in rows for line in row.lines]
-    left = max(sizes.width(line.left) if line.left else 0 for line in lines)
-    return left + 3 + max(sizes.width(line.right) for line in lines)
-
-
 def aligned(row: b.Row, room: float) -> AlignRow:
     mark = f"({row.verdict})" if row.verdict is not None else ""
     lines = tuple(sizes.lines(row.equation, row.order, room))
     if row.beside:
-        every = [layout(each, row.order) for each in (row.equation, *row.beside)]
+        every = [layout(each, row.order) for each in abreast(row)]
         first, *more = every
         assert isinstance(first, lay.Chain)
         (line,) = sizes.lines(first, row.order, 10 * room)

@@ -4,34 +4,36 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import singledispatch
 from importlib.resources import files
 
+from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import Verdict
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.languages import said
 from rigidtop.report.pdf import written_at
+from rigidtop.report.tex_lines import (
+    abreast,
+    beside,
+    fits_in_line,
+    goes_on,
+    hung,
+    in_words,
+    is_wide,
+    sharing,
+)
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
-from rigidtop.typeset.latex import align_row, latex
+from rigidtop.typeset.latex import AlignRow, align_row, latex, row_lines, seen
 from rigidtop.typeset.sentences import tex, tied, written
 
 
 def write(document: b.Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` says where the file of each figure lies, as seen from it."""
-    made: list[str] = []
-    ends = ""
-    for block in document.blocks:
-        if not ends and isinstance(block, b.Heading) and block.anchor in b.IN_COLUMNS:
-            made.append("#solutions[")
-            ends = "]"
-        if isinstance(block, b.Figure):
-            made.append(_figure(block, figures[block.name]))
-        else:
-            made.append(typst_block(block))
-    body = "\n\n".join([*made, ends])
+    body = "\n\n".join(_joined(document.blocks, figures))
     depth = 2 if document.lecture else 3
     title = said("Contents", document.look.language)
     contents = f"#text(size: 9.5pt)[#outline(title: [{title}], depth: {depth})]"
@@ -49,6 +51,27 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     )
 
 
+def _joined(blocks: Sequence[b.Block], figures: Mapping[str, str]) -> Iterator[str]:
+    """The blocks; a sentence in front of an equation goes on the paragraph above it."""
+    words = ends = ""
+    above: b.Block | None = None
+    for block, after in zip(blocks, [*blocks[1:], None], strict=True):
+        if not ends and isinstance(block, b.Heading) and block.anchor in b.IN_COLUMNS:
+            yield "#solutions["
+            ends = "]"
+        if isinstance(block, b.Paragraph) and goes_on(block, after):
+            words = _said(block)
+            continue
+        if isinstance(block, b.Figure):
+            made = _figure(block, figures[block.name], floats=not isinstance(above, b.Heading))
+        else:
+            made = _display(block, words) if isinstance(block, b.Display) else typst_block(block)
+        # The place where a figure is told, at the end of the words above it.
+        yield made + (f'#told("{after.anchor}")' if isinstance(after, b.Figure) else "")
+        words, above = "", block
+    yield ends
+
+
 def _preamble(document: b.Document) -> str:
     about = {
         "@TITLE@": _quoted(unmarked(document.title)),
@@ -59,7 +82,7 @@ def _preamble(document: b.Document) -> str:
     about["@DATE@"] = time.strftime("year: %Y, month: %m, day: %d", time.gmtime(written_at()))
     about["@PAPER@"] = {"a4": "a4", "letter": "us-letter"}[document.look.paper]
     about["@LANGUAGE@"] = document.look.language
-    about["@RIGHT@"] = "52mm" if document.lecture else "28mm"
+    about["@RIGHT@"] = "51mm" if document.lecture else "28mm"
     made = _style()
     for place, words in about.items():
         made = made.replace(place, words)
@@ -80,11 +103,12 @@ def fragment(blocks: Sequence[b.Block]) -> str:
     return functions + "\n" + "\n\n".join(map(typst_block, blocks)) + "\n"
 
 
-def _figure(block: b.Figure, path: str) -> str:
+def _figure(block: b.Figure, path: str, *, floats: bool) -> str:
+    """A figure; what does not float stays beneath its heading."""
     alternative = block.alternative.replace('"', "'")
     return (
-        f'#figure(image("{path}", alt: "{alternative}"), placement: top, numbering: none, '
-        f"caption: [*{block.label}.* {prose(block.caption)}]) <{block.anchor}>"
+        f'#shown("{block.anchor}", image("{path}", alt: "{alternative}"), '
+        f"[*{block.label}.* {prose(block.caption)}], {'true' if floats else 'false'})"
     )
 
 
@@ -106,7 +130,17 @@ def _quoted(text: str) -> str:
 
 def prose(text: str) -> str:
     """A sentence with mathematics between dollars."""
-    return written(tied(text), lambda part: f"${maths(tex(part))}$", plain)
+    return written(tied(text), lambda part: _inline(tex(part)), plain)
+
+
+def _inline(tex: str) -> str:
+    """A formula of a sentence; where it is short no line ends in it."""
+    made = f"${maths(tex)}$"
+    return f"#box({made})" if len(seen(tex)) <= WHOLE_IN_TEXT else made
+
+
+WHOLE_IN_TEXT = 16
+"""Letters of a formula that is not broken in a sentence."""
 
 
 def maths(tex: str) -> str:
@@ -151,7 +185,7 @@ def _piece(piece: b.Piece) -> str:
         return f'#verdict("{piece}")'
     if isinstance(piece, b.Cited):
         return f'#link(label("{piece.anchor}"))[{plain(piece.words)}]'
-    return prose(piece) if isinstance(piece, str) else f"${maths(latex(lay.flat(piece)))}$"
+    return prose(piece) if isinstance(piece, str) else _inline(in_words(lay.flat(piece)))
 
 
 def _note(mark: b.Mark | None) -> str:
@@ -175,14 +209,18 @@ def _(block: b.Heading) -> str:
 
 @typst_block.register
 def _(block: b.Paragraph) -> str:
+    words = _said(block)
+    # A labelled paragraph, the reason, is not parted from what it is the reason for.
+    return f"#held[{words}]" if block.label or block.held else words
+
+
+def _said(block: b.Paragraph) -> str:
     words = rich(block.content)
     if block.mark is not None:
         seal = f'#seal("{block.mark.verdict}"){_note(block.mark)}'
         place = f' #label("{block.anchor}")' if block.anchor else ""
         words = f"{seal}{words}{place}"
-    # A labelled paragraph, the reason, is not parted from what it is the reason for.
-    held = block.label or block.held
-    return f"#block(sticky: true)[{_label(block.label)}{words}]" if held else words
+    return _label(block.label) + words
 
 
 def _head(words: str) -> str:
@@ -201,23 +239,44 @@ def _(block: b.ClaimHead) -> str:
 
 @typst_block.register
 def _(block: b.Display) -> str:
-    label = _head(block.label) + "\n\n" if block.label else ""
-    return label + "\n\n".join(_rows(group, block.room) for group in b.groups(block))
+    return _display(block)
 
 
-def _rows(group: Sequence[b.Row], room: float) -> str:
-    last = group[-1]
-    reason = rich(group[0].spoken)
-    rows = [align_row(line) for row in group for line in sizes.lines(row.equation, row.order, room)]
-    body = maths(r" \\ ".join(rows))
-    shown = f'#eq("{last.tag}", "{last.verdict or ""}", $ {body} $)'
-    mark = next((row.mark for row in group if row.mark is not None), None)
-    place = next((row.anchor for row in group if row.anchor), "")
-    if place:
-        shown += f' #label("{place}")'
-    if mark is not None:
-        reason = f'#seal("{mark.verdict}"){_note(mark)}{reason}'
-    return f"#why[{reason}]\n{shown}" if reason else shown
+def _display(block: b.Display, before: str = "") -> str:
+    """The equations behind their sentences, the first of which goes on what is said `before`."""
+    rows = beside(block.rows, block.room) if block.step else block.rows
+    label = _label(block.label)
+    if block.step and fits_in_line(rows, block.room):
+        (row,) = rows
+        shown = "#h(2em)".join(
+            f"#box($display({maths(latex(each, row.order))})$)" for each in abreast(row)
+        )
+        return f"#step[{label}{rich(row.spoken)}][{shown}]{_place(row)}"
+    made: list[str] = []
+    for group in b.groups(replace(block, rows=tuple(rows))):
+        notes = "".join(_note(row.mark) for row in group)
+        words = " ".join(filter(None, [before, label + notes + rich(group[0].spoken)]))
+        made += [f"#held[{words}]"] if words else []
+        left = iter(group)
+        for lines in sharing(group, block.room):
+            made.append(_rows([next(left) for _ in lines], lines, block.room))
+        before = label = ""
+    return "\n".join(made)
+
+
+def _rows(rows: Sequence[b.Row], lines: Sequence[AlignRow], room: float) -> str:
+    """Rows that share their = sign."""
+    if is_wide(lines, room):
+        lines = [*map(hung, lines)]
+    body = maths(r" \\ ".join(line for each in lines for line in row_lines(each)))
+    mark = next((f', mark: "{row.mark.verdict}"' for row in rows if row.mark is not None), "")
+    row = next((row for row in rows if row.anchor), rows[-1])
+    tag, verdict = rows[-1].tag, rows[-1].verdict or ""
+    return f'#eq("{tag}", "{verdict}", $ {body} ${mark}){_place(row)}'
+
+
+def _place(row: b.Row) -> str:
+    return f' #label("{row.anchor}")' if row.anchor else ""
 
 
 @typst_block.register
@@ -292,9 +351,17 @@ def _(block: b.Results) -> str:
     rows = [
         (
             f'#link(label("{b.anchor(number)}"))[{plain(f"({number})")}]',
-            "".join(f"$ {maths(latex(each, 'printed'))} $" for each in equations),
+            "".join(f'#eq("", "", $ {maths(_in_lines(each))} $)' for each in equations),
             rich(words),
         )
         for number, equations, words, _ in block.rows
     ]
-    return _table("(auto, 1fr, 30%)", block.head, rows)
+    return f"#results[{_table('(auto, 1fr, 43mm)', block.head, rows)}]"
+
+
+ROOM = 48.0
+"""Letters of a line in the summary of results."""
+
+
+def _in_lines(equation: Equation) -> str:
+    return r" \\ ".join(map(align_row, sizes.lines(equation, "printed", ROOM)))

@@ -5,6 +5,7 @@ import math
 import re
 import shutil
 import subprocess
+import unicodedata
 from dataclasses import fields, is_dataclass, replace
 from itertools import pairwise
 from xml.etree import ElementTree
@@ -43,7 +44,7 @@ from rigidtop.report.blocks import (
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.handout import CONDITIONS, Parts, summary
 from rigidtop.report.languages import SHOWN, WORDS, translated
-from rigidtop.report.lecture import FORMATS, Edition, fragment, lecture, record, sheet
+from rigidtop.report.lecture import FORMATS, LETTERS, Edition, fragment, lecture, record, sheet
 from rigidtop.report.map import columns, heights, reduced
 from rigidtop.report.marks import LEGEND
 from rigidtop.report.numbers import written
@@ -142,6 +143,16 @@ def words(paper):
     return done.stdout.decode().split("\f")[:-1]
 
 
+def _starts(paper):
+    """The page on which each section begins, by its title."""
+    reader = pypdf.PdfReader(io.BytesIO(paper))
+    return {
+        entry.title: reader.get_destination_page_number(entry)
+        for entry in reader.outline
+        if not isinstance(entry, list)
+    }
+
+
 @pytest.mark.skipif(not shutil.which("pdftoppm"), reason="needs pdftoppm")
 def test_pages_have_no_white_gaps(paper, tmp_path):
     (tmp_path / "lecture.pdf").write_bytes(paper)
@@ -150,11 +161,7 @@ def test_pages_have_no_white_gaps(paper, tmp_path):
     reader = pypdf.PdfReader(io.BytesIO(paper))
     # By Typst, which is there for those without LaTeX, pages are looser.
     columns = "TeX" in reader.metadata.get("/Creator", "")
-    starts = {
-        entry.title: reader.get_destination_page_number(entry)
-        for entry in reader.outline
-        if not isinstance(entry, list)
-    }
+    starts = _starts(paper)
     solved, results = starts["Solutions of the exercises"], starts["Summary of results"]
     # By LaTeX the contents have a page of their own.
     ends = {
@@ -177,6 +184,69 @@ def test_pages_have_no_white_gaps(paper, tmp_path):
                 least = 0.06 if columns else 0.22
                 assert body[-1] > (0.94 if columns else 0.905) - least, f"beneath page {k + 1}"
     assert len(reader.pages) < (56 if columns else 100)
+
+
+PLACES = ((16, 25), (25, 159), (163, 203))
+COLUMNS = ((9, 17), (17, 100.5), (101, 109.5), (109.5, 193))
+"""What words stand in on A4, from left to right (mm): text with its margins, and two columns."""
+
+
+def _boxes(made):
+    """The words of each page: their boxes as an array of rows x, y, x, y in points, their letters.
+
+    Words of combining accents are left out, which lie on their letter, and so are braces.
+    """
+    done = subprocess.run(
+        ["pdftotext", "-bbox", "-", "-"], input=made, capture_output=True, check=True, timeout=120
+    )
+    # Not quite XML: letters of a formula may be control characters.
+    for page in done.stdout.decode().split("<page ")[1:]:
+        words = [
+            (*map(float, sides), word)
+            for *sides, word in re.findall(WORD, page)
+            if re.search(r"\w", word) and not any(map(unicodedata.combining, word))
+        ]
+        yield np.array([word[:4] for word in words]).reshape(-1, 4), [word[4] for word in words]
+
+
+WORD = r'<word xMin="(.+?)" yMin="(.+?)" xMax="(.+?)" yMax="(.+?)">(.+?)</word>'
+
+
+def _overlaps(boxes):
+    """The pairs of boxes that share a line and more than a fifth of their height along it."""
+    left, top, right, bottom = (boxes[:, k] for k in range(4))
+    height = np.minimum.outer(bottom - top, bottom - top)
+    along = np.minimum.outer(right, right) - np.maximum.outer(left, left)
+    apart = np.abs(np.subtract.outer(top + bottom, top + bottom)) / 2
+    return np.argwhere(np.triu((along > 0.2 * height) & (apart < 0.3 * height), 1))
+
+
+def _beyond(boxes, places):
+    """Which boxes stand in none of the places."""
+    low, high = 72 / 25.4 * np.array(places).T
+    inside = (low - 2 < boxes[:, :1]) & (boxes[:, 2:3] < high + 2)
+    return ~inside.any(axis=1)
+
+
+@pytest.mark.skipif(not shutil.which("pdftotext"), reason="needs pdftotext")
+def test_no_word_lies_on_another_or_beyond_its_column(paper, document):
+    starts = _starts(paper)
+    solved, letters = starts["Solutions of the exercises"], starts[LETTERS.title]
+    tables = [b for b in document.blocks if _is(b, "numbers")]
+    captions = [b.caption for b in document.blocks if isinstance(b, Figure)]
+    told = set(" ".join([plain.fragment(tables), *captions]).split())
+    lying, beyond, seen = [], [], 0
+    for k, (boxes, words) in enumerate(_boxes(paper)):
+        lying += [(k + 1, words[i], words[j]) for i, j in _overlaps(boxes)]
+        out = _beyond(boxes, COLUMNS if k >= solved else PLACES)
+        if k >= solved:  # floats over both columns stand above them
+            wide = [boxes[i, 3] for i in np.flatnonzero(out) if words[i] in told]
+            out &= _beyond(boxes, [(17, 193)]) | (boxes[:, 3] > max(wide, default=0))
+        # The list of letters has three columns in LaTeX.
+        beyond += [(k + 1, words[i]) for i in np.flatnonzero(out) if k < letters]
+        seen += len(words)
+    assert (lying, beyond) == ([], [])
+    assert seen > 15_000
 
 
 @pytest.mark.parametrize("paper", ["latexmk"], indirect=True)

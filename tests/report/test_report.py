@@ -428,6 +428,47 @@ def test_typst_document(lecture):
     assert "inline(1/2)" in source
 
 
+STEP = Row(Equation(lambda1, lambda3), "printed", reason="Put the moments equal:")
+
+
+def test_a_step_in_typst_goes_on_the_words_above_it_or_has_one_line():
+    said, step = Paragraph(("We go on.",)), Display((STEP,), step=True)
+    long = replace(step, rows=(replace(STEP, tag="9.9"),))
+    short, numbered = (
+        typst.write(Document("T", "S", (said, each), "C"), {}) for each in (step, long)
+    )
+    assert '#step[#"Put the moments equal:";][#box($display(lambda_(1) = lambda_(3))$)]' in short
+    assert '#held[#"We go on."; #"Put the moments equal:";]\n#eq("9.9", ""' in numbered
+
+
+@pytest.mark.skipif(not shutil.which("pdftotext"), reason="needs pdftotext")
+@pytest.mark.parametrize("count", [0, 8, 20, 44, 46])
+def test_a_figure_in_typst_stands_above_nothing_of_what_comes_before_it(count):
+    before = (*FILL[:count], Heading(1, "1", "Its section", "section-1"), FILL[count])
+    source = typst.write(Document("T", "S", (*before, FIGURE, *FILL[80:]), "C"), {"small": "a.svg"})
+    made = pdf.by_typst(source, {"a.svg": SVG.encode()})
+    command = ["pdftotext", "-layout", "-", "-"]
+    told = subprocess.run(command, input=made, capture_output=True, check=True).stdout.decode()
+    places = [told.index(words) for words in (f"Line {count}.", "The caption", "Line 89.")]
+    assert places == sorted(places)
+    pages = told.split("\f")
+    (page,) = (k for k, page in enumerate(pages) if "The caption" in page)
+    if f"Line {count}." not in pages[page]:  # it is the first on its page
+        assert pages[page].index("The caption") < pages[page].index("Line ")
+
+
+@pytest.mark.skipif(not shutil.which("pdftotext"), reason="needs pdftotext")
+def test_an_equation_that_no_break_makes_narrow_enough_is_smaller_in_typst():
+    many = symbols("w10:70")
+    wide = Row(Equation(lambda1, sqrt(Add(*many))), "printed", "9.9")
+    made = pdf.by_typst(typst.write(Document("T", "S", (Display((wide,)),), "C"), {}), {})
+    command = ["pdftotext", "-bbox", "-", "-"]
+    told = subprocess.run(command, input=made, capture_output=True, check=True).stdout.decode()
+    ends = {word: float(x) for x, word in re.findall(r'xMax="([\d.]+)" .*>(.*)</word>', told)}
+    number = ends.pop("(9.9)")
+    assert max(ends.values()) < number < (210 - 27) / 25.4 * 72
+
+
 def test_typst_keeps_primes_and_small_fractions():
     assert typst.maths(r"\mathbf{e}_{1}'") == "upright(bold(e))'_(1)"
     assert typst.maths(r"\tfrac{1}{2}x") == "inline(1/2) x"
