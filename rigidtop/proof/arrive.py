@@ -12,7 +12,7 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Integer, MatrixBase, Rational, Symbol
 
-from rigidtop.proof import bounds, floats, quadrature
+from rigidtop.proof import bounds, decide, floats, quadrature
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation, IntegralOver, NoMeaningError, Rate, symbols_of
 from rigidtop.proof.letters import Letters
@@ -411,7 +411,11 @@ def _zero(expression: Expr, move: Move) -> bool:
     if not signed.is_commutative or not signed.has(sympy.Pow):
         return False
     flat, relations = flat_with(expression, bounded)
-    return bounds.vanishes_by_squares(flat.xreplace(signs), [x.xreplace(signs) for x in relations])
+    flat, known = flat.xreplace(signs), [x.xreplace(signs) for x in relations]
+    sides = [x.lhs for x in known if isinstance(x, sympy.Gt)]
+    if decide.in_digits([("=", flat)], bounds=sides) is False:
+        return False
+    return bounds.vanishes_by_squares(flat, known)
 
 
 def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> RefusedError | None:

@@ -116,6 +116,18 @@ class Judgement:
         """What is true besides, judged."""
         return tuple(f for f in self._all() if isinstance(f.check, Remark))
 
+    def besides(self) -> tuple[TestedAssumption, ...]:
+        """What its lines hold under and its checks do not assume; without checks there is none."""
+        assumed = [t.assumption.condition for f in self.findings() for t in f.assumptions]
+        given = [each for each in assumed if not isinstance(each, sympy.Eq)]
+        led = [item for item in self.items if isinstance(item, Led)] if self.findings() else []
+        return tuple(
+            tested
+            for item in led
+            for tested in item.assumptions
+            if not _implied(tested.assumption.condition, given)
+        )
+
     def _all(self) -> tuple[Finding, ...]:
         return tuple(item for item in self.items if isinstance(item, Finding))
 
@@ -183,6 +195,17 @@ def _relation(condition: Condition) -> Boolean:
     relation = _RELATIONS[condition.relation](condition.expression, 0)
     negative = condition.expression.as_coeff_Mul()[0].is_negative
     return relation.reversedsign if negative and isinstance(relation, Relational) else relation
+
+
+def _implied(condition: Boolean, given: Sequence[Relational]) -> bool:
+    """Whether a condition is known to hold where others do."""
+    if isinstance(condition, sympy.Ne):
+        difference = condition.lhs - condition.rhs
+        signs = (bounds.positive(sign * difference, given) for sign in (1, -1))
+        return bounds.nonzero(difference, given) or any(signs)
+    return isinstance(condition, Relational) and bounds.positive(
+        condition.gts - condition.lts, given
+    )
 
 
 def _overall(judgement: Judgement) -> Verdict:

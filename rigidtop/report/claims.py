@@ -46,6 +46,9 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[b.Block]:
     assumed = tested(judgement)
     if assumed:
         blocks.append(b.Items(conditions(assumed), "Assumptions"))
+    besides = judgement.besides()
+    if besides:
+        blocks.append(b.Items(conditions(besides), "Its lines hold under"))
     blocks.extend(
         b.Paragraph((*_failing(finding), *said_at(finding.counterexample), "."), "Counterexample")
         for finding in findings

@@ -20,6 +20,7 @@ def record(judgement: Judgement) -> dict[str, object]:
         "reference": judgement.section,
         "verdict": judgement.verdict.value,
         "assumptions": [_assumption(item) for item in tested(judgement)],
+        "lines_hold_if": [_assumption(item) for item in judgement.besides()],
         "note": note(judgement),
         "seconds": round(judgement.seconds, 4),
         "passed": judgement.passed,
@@ -74,6 +75,8 @@ def _note(judgement: Judgement) -> str:
     silent = [item for item in tested(judgement) if not item.assumption.stated]
     if silent:
         parts.append("holds if " + "; ".join(_assumption(item) for item in silent))
+    besides = [_assumption(item) for item in judgement.besides()]
+    parts += [f"its lines hold if {'; '.join(besides)}"] if besides else []
     parts += [f"corrected: {_conditioned(finding)}" for finding in judgement.corrections()[:1]]
     return "; ".join(parts)
 

@@ -75,7 +75,7 @@ def never_vanishes(expression: Expr, conditions: Sequence[Condition]) -> bool:
     """
     flat, relations = flat_with(expression, conditions)
     seen: dict[tuple[bool, ...], bool] = {}
-    for attempt in range(DRAWS):
+    for attempt in range(2 * DRAWS):
         point = _drawn(flat, relations, attempt)
         number = floats.at(point)
         height, sides = number(flat), [number(each.lhs) for each in relations]
@@ -89,10 +89,13 @@ def never_vanishes(expression: Expr, conditions: Sequence[Condition]) -> bool:
 
 
 def _drawn(flat: Expr, relations: Sequence[Relational], attempt: int) -> dict[Symbol, Expr]:
-    """A number for each symbol, of either sign unless it is positive."""
+    """A number for each symbol, of either sign unless it is positive: then small, or large."""
     symbols = flat.free_symbols.union(*(each.free_symbols for each in relations))
     near = {x: floats.somewhere(x, attempt) for x in symbols}
-    return {x: sympy.Float(at**3 if x.is_positive else 3 * at - 3) for x, at in near.items()}
+    return {
+        x: sympy.Float(at ** (3 + 6 * (attempt % 2)) if x.is_positive else 3 * at - 3)
+        for x, at in near.items()
+    }
 
 
 def _is_set_to_zero(factor: Expr, conditions: Sequence[Condition]) -> bool:

@@ -115,9 +115,9 @@ def _kept_is_larger(
     """
     meaning = letters.means[small]
     for x in sorted(meaning.free_symbols & kept.free_symbols, key=str):
-        solutions = [s for s in sympy.solve(meaning - small, x) if not s.has(sympy.I)]
-        for term in Add.make_args(sympy.expand(kept)) if solutions else ():
-            ratio = ((whole - kept) / term).xreplace({x: solutions[-1]})
+        solution = _solved(meaning, small, x)
+        for term in Add.make_args(sympy.expand(kept)) if solution is not None else ():
+            ratio = ((whole - kept) / term).xreplace({x: solution})
             far, near = (_share(ratio, together, n) for n in DEPTHS)
             if not near < far / 2:
                 raise RefusedError(
@@ -126,6 +126,15 @@ def _kept_is_larger(
                     meaning,
                     term,
                 )
+
+
+def _solved(meaning: Expr, small: Symbol, x: Symbol) -> Expr | None:
+    """A letter by what a small one means, if it is a power of it or linear in it; else None."""
+    slope = meaning.diff(x)
+    if not slope.has(x):
+        return x + (small - meaning) / slope
+    power = sympy.cancel(x * slope / meaning)
+    return (small * x**power / meaning) ** (1 / power) if power.is_Number else None
 
 
 def _share(ratio: Expr, small: Sequence[Expr], n: int) -> Any:
@@ -220,8 +229,13 @@ def _outweighed(
             if known and least(term) <= least(other):
                 raise RefusedError("for {} {} it is no smaller than {}", where, letter, large)
             if not known and least(other) == largest:
-                conditions.append(Condition(small / large, "≪"))
+                share = small / large
+                conditions.append(Condition(-share if _is_negative(share) else share, "≪"))
     return conditions
+
+
+def _is_negative(term: Expr) -> bool:
+    return bool(term.as_coeff_Mul()[0].is_negative)
 
 
 def _contains(value: Value, term: Value) -> bool:
