@@ -41,6 +41,7 @@ from rigidtop.collection.folder import PageError as PageError
 from rigidtop.collection.folder import imported, in_one_line, module_name, said, watched
 from rigidtop.collection.kinds import (
     check_exercises,
+    check_letters,
     check_names,
     check_pages,
     claims,
@@ -332,6 +333,7 @@ def _notation(folder: Path) -> Notation:
     if any(value is symbols for value in values):  # from rigidtop.theory import symbols
         used |= {*NOTATION.glyphs}
     own = sorted((x for x in used if isinstance(x, Lettered)), key=lambda x: (x.place, x.name))
+    check_letters(own)
     glyphs = {x: x.quantity.glyph for x in own}
     taken = {*glyphs.values()}
     theirs = {x: g for x, g in NOTATION.glyphs.items() if x in used and g not in taken}

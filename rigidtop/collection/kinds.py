@@ -9,8 +9,11 @@ from typing import Any
 
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import Parameter
+from rigidtop.proof import units
 from rigidtop.proof.exercise import Exercise
 from rigidtop.proof.page import Claim, Page
+from rigidtop.theory.lettered import Lettered
+from rigidtop.typeset.latex import can_be_set
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9.-]*")
 
@@ -93,3 +96,21 @@ def check_names(pages: Sequence[Page], exercises: Sequence[Exercise]) -> None:
             both = f"two {kind}s" if kinds[link] == kind else f"a {kinds[link]} and a {kind}"
             raise RigidtopError(f"{both} have the name {name!r}")
         kinds[link] = kind
+
+
+def check_letters(letters: Sequence[Lettered]) -> None:
+    """RigidtopError for units that are none, which no line could be held to, and strange glyphs."""
+    wrong = []
+    for letter in letters:
+        unit, glyph = letter.quantity.unit, letter.quantity.glyph
+        if unit and units.parsed(unit) is None:
+            wrong.append(
+                f"the unit {unit!r} of {letter.name} is not known: write it in {units.known()}"
+            )
+        if not can_be_set(glyph):
+            shown = repr(glyph.base + glyph.sub)
+            wrong.append(
+                f"no document can set {shown}, the letter of {letter.name}: take a Latin or Greek one"
+            )
+    if wrong:
+        raise RigidtopError("\n".join(wrong))

@@ -113,6 +113,8 @@ def refute(
 ) -> Counterexample | None:
     """A point where the assumptions hold, `dropped` does not, and the claimed relation fails."""
     failure = _failure(check, dropped, tries, letters)
+    if failure is None and dropped is None:  # what is tiny may differ as well
+        failure = _failure(check, None, FEW, letters, exact=True)
     if failure is None:
         return None
     shapes = [
@@ -131,8 +133,12 @@ Failure = tuple[Any, Mapping[Symbol, Expr], Mapping[Symbol, Expr]]
 """The sides of all relations, a point at which one fails, and what the sides' dummies stand for."""
 
 
+FEW = 20
+"""So many points are tried with exact numbers, where floats tell no difference."""
+
+
 def _failure(
-    check: Check, dropped: Assumption | None, tries: int, letters: Letters
+    check: Check, dropped: Assumption | None, tries: int, letters: Letters, exact: bool = False
 ) -> Failure | None:
     equal, _ = parted(check.assuming)
     if dropped is not None and dropped.otherwise is not None:
@@ -141,10 +147,10 @@ def _failure(
     solved, left_over, divisor = _solve_given(given)
     found = None
     if dropped is None or not _needed(dropped.condition, divisor):
-        found = _search(check, dropped, tries, letters, equal, (solved, left_over, divisor))
+        found = _search(check, dropped, tries, letters, equal, (solved, left_over, divisor), exact)
     if found is None and solved:
         # Solving divided by something; where that vanishes the equation may hold all the same.
-        found = _search(check, dropped, tries, letters, equal, ({}, given, Integer(1)))
+        found = _search(check, dropped, tries, letters, equal, ({}, given, Integer(1)), exact)
     return found
 
 
@@ -155,6 +161,7 @@ def _search(
     letters: Letters,
     equal: Mapping[Expr, Expr],
     known: tuple[Mapping[Symbol, Expr], Sequence[Expr], Expr],
+    exact: bool,
 ) -> Failure | None:
     """Among points where what is given vanishes, and that by which `solved` divide does not."""
     solved, given, divisor = known
@@ -198,7 +205,13 @@ def _search(
         if any(abs(number(d)) < floats.TOLERANCE for d in divisors):
             # Numbers that differ say more than a division by zero: look on for a while.
             undefined = undefined or (sides, point, hidden)
-        elif _fails(sides, number, undefined_counts=dropped is not None):
+        elif (exact and _apart(sides, point, hidden)) or (
+            not exact
+            and (
+                _fails(sides, number, undefined_counts=dropped is not None)
+                and _apart(sides, point, hidden) is not False
+            )
+        ):
             return sides, point, hidden
         patience -= undefined is not None
         if patience == 0:
@@ -279,6 +292,28 @@ def _fails(sides: Any, number: floats.Number, undefined_counts: bool) -> bool:
             told.append(floats.holds(relation, left - right, 1 + abs(left) + abs(right)))
         if not (any(told) if relation == "≠" else all(told)):
             return True
+    return False
+
+
+DIGITS = 40
+"""Where floats say that an equation fails, so many digits are asked before it is refuted."""
+
+
+def _apart(sides: Any, point: Mapping[Symbol, Expr], hidden: Mapping[Symbol, Expr]) -> bool | None:
+    """Whether equal sides differ in many digits: floats tell apart what cancels, and nothing tiny.
+
+    None where they can't be asked: of another relation, or where a side is no number.
+    """
+    at = {**point, **{dummy: x.xreplace(dict(point)) for dummy, x in hidden.items()}}
+    for relation, pairs in sides:
+        for left, right in ((_at(a, at), _at(b, at)) for a, b in pairs):
+            if relation not in ("=", "≡") or left is None or right is None:
+                return None
+            gap, size = (sympy.N(x, DIGITS) for x in (left - right, abs(left) + abs(right)))
+            if not gap.is_number:
+                return None
+            if abs(gap) > size * sympy.Float(10) ** (-DIGITS // 2):
+                return True
     return False
 
 

@@ -2,8 +2,7 @@
 
 The unit of a letter comes with the `Letters` of the subject, as people write it: "kg m²", "J s",
 "rad/s", "1/s²".  Angles are pure numbers, and so are unit vectors, whose unit is "".  A letter
-whose unit is not known, or not one of kilograms, metres and seconds, may be in anything; 0 and
-"const" fit all.
+without a unit may be in anything; 0 and "const" fit all.
 
 >>> from rigidtop.theory.symbols import M, R, V, g
 >>> letters = Letters(units={V: "J", M: "kg", g: "m/s²", R: "m"})
@@ -45,26 +44,32 @@ from rigidtop.proof.moves import RefusedError
 from rigidtop.proof.values import Applied
 
 Dimension = tuple[Fraction, ...]
-"""The exponents of kg, m and s."""
+"""The exponents of kg, m, s, A and K."""
 
-NUMBER: Dimension = (Fraction(0), Fraction(0), Fraction(0))
-_BASES = ("kg", "m", "s")
+_BASES = ("kg", "m", "s", "A", "K")
+NUMBER: Dimension = (Fraction(0),) * len(_BASES)
 _EXPONENTS = {
-    "kg": (1, 0, 0),
-    "m": (0, 1, 0),
-    "s": (0, 0, 1),
-    "N": (1, 1, -2),
-    "J": (1, 2, -2),
-    "W": (1, 2, -3),
-    "Pa": (1, -1, -2),
-    "Hz": (0, 0, -1),
-    "rad": (0, 0, 0),
-    "1": (0, 0, 0),
+    **{base: tuple(int(base == other) for other in _BASES) for base in _BASES},
+    "N": (1, 1, -2, 0, 0),
+    "J": (1, 2, -2, 0, 0),
+    "W": (1, 2, -3, 0, 0),
+    "Pa": (1, -1, -2, 0, 0),
+    "Hz": (0, 0, -1, 0, 0),
+    "C": (0, 0, 1, 1, 0),
+    "V": (1, 2, -3, -1, 0),
+    "Ω": (1, 2, -3, -2, 0),
+    "F": (-1, -2, 4, 2, 0),
+    "T": (1, 0, -2, -1, 0),
+    "Wb": (1, 2, -2, -1, 0),
+    "H": (1, 2, -2, -2, 0),
+    "rad": (0, 0, 0, 0, 0),
+    "1": (0, 0, 0, 0, 0),
 }
+"""SI (BIPM, The International System of Units, 9th edition, tables 2 and 4)."""
 _RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 _LOWERED = {digit: raised for raised, digit in _RAISED.items()}
 _UNIT = re.compile(r"([^/()]+)(?:/(?:\(([^/()]+)\)|([^/()\s·]+)))?")
-_FACTOR = re.compile(r"([A-Za-z]+|1)(?:\^(-?\d+)|(⁻?[⁰¹²³⁴-⁹]+))?")
+_FACTOR = re.compile(r"([A-Za-zΩ]+|1)(?:\^(-?\d+)|(⁻?[⁰¹²³⁴-⁹]+))?")
 
 
 class UnitsError(RefusedError):
@@ -75,7 +80,7 @@ class UnitsError(RefusedError):
 def parsed(unit: str) -> Dimension | None:
     """The exponents of a unit; None where it is none, or not known.
 
-    >>> parsed("1/(J s)") == (-1, -2, 1), parsed("rad/s²") == (0, 0, -2), parsed("ell")
+    >>> parsed("1/(J s)") == (-1, -2, 1, 0, 0), parsed("V/m") == parsed("N/C"), parsed("ell")
     (True, True, None)
     """
     found = _UNIT.fullmatch(unit.strip())
@@ -83,6 +88,11 @@ def parsed(unit: str) -> Dimension | None:
         return None
     over, below = _product(found[1]), _product(found[2] or found[3] or "1")
     return None if below is None else _times(over, _power(below, Fraction(-1)))
+
+
+def known() -> str:
+    """The units that can be written, in words."""
+    return ", ".join(unit for unit in _EXPONENTS if unit != "1")
 
 
 def _product(text: str) -> Dimension | None:

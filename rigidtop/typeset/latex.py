@@ -162,6 +162,25 @@ _MARKS = MARKS | {
 }
 
 
+def can_be_set(glyph: Glyph) -> bool:
+    """Whether every document has a way to write a letter: Latin, Greek, one of the tables.
+
+    >>> can_be_set(Glyph("ω", "1", "dot")), can_be_set(Glyph("ж")), can_be_set(Glyph("x", "🙂"))
+    (True, False, False)
+    """
+    base = unicodedata.normalize("NFD", lay.differential(glyph)[1].base)
+    return all(
+        c in LETTERS or c in MATHS or c in _MARKS or (c.isascii() and c.isprintable()) or _styled(c)
+        for c in base + unicodedata.normalize("NFD", glyph.sub)
+    )
+
+
+def _styled(c: str) -> str:
+    """The command for a letter of another style, such as ℒ."""
+    name = unicodedata.name(c, "")
+    return next((tex for word, tex in _STYLES.items() if word in name), "")
+
+
 def _base(base: str) -> str:
     """A letter with what is one with it: bars, primes, stars, another style."""
     made = ""
@@ -169,8 +188,7 @@ def _base(base: str) -> str:
         if c in _MARKS:
             made = _MARKS[c] % made
             continue
-        name, plain = unicodedata.name(c, ""), unicodedata.normalize("NFKC", c)
-        style = next((tex for word, tex in _STYLES.items() if word in name), "")
+        plain, style = unicodedata.normalize("NFKC", c), _styled(c)
         if c not in LETTERS and style and plain != c:
             made += rf"\{style}{{{plain}}}"
         else:

@@ -165,3 +165,19 @@ def test_a_mistyped_anchor_is_named(course, capsys):
     assert main(["check", f"{course}/"]) == 1
     out = " ".join(capsys.readouterr().out.split())
     assert "no line of the pages is called from-energy; one is from-enregy" in out
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "said"),
+    [
+        ('"kg"', '"pound"', "the unit 'pound' of m is not known: write it in kg, m, s, A, K"),
+        ('Glyph("m")', 'Glyph("ж")', "no document can set 'ж', the letter of m: take a Latin"),
+    ],
+)
+def test_a_letter_that_no_line_can_be_held_to_is_refused(right, wrong, said, course, capsys):
+    letters = course / "letters.py"
+    text = letters.read_text("utf-8")
+    assert right in text
+    letters.write_text(text.replace(right, wrong), "utf-8")
+    assert main(["check", f"{course}/"]) == 2
+    assert said in capsys.readouterr().err

@@ -109,8 +109,8 @@ def test_false_with_a_correction_passes():
 
 
 def test_undecided():
-    # Zero to forty digits it is not, and no short number shows that.
-    hidden = Check(typed(sin(sin(x)) * 0 + y, 0), {y: sympy.Rational(1, 10**30) * x**2})
+    # Its normal form says no, and no number of forty digits shows it.
+    hidden = Check(typed(y, x), {y: (1 + sympy.Rational(1, 10**60)) * x})
     judged = judge(claim(hidden))
     assert (judged.verdict, judged.passed) == (Verdict.UNDECIDED, False)
     assert judged.problem == "neither shown nor refuted"
@@ -123,6 +123,26 @@ def test_sampled_only_by_what_is_not_shown():
     sampled = judge(claim(Check(typed(y, sqrt(a) + sqrt(b)), {y: nested})))
     assert (sampled.verdict, sampled.passed) == (Verdict.SAMPLED, True)
     assert judge_check(square()).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant", "verdict"),
+    [
+        ("u*((10**7 + x)**2 - 10**14 - 2*10**7*x)", "u*x**2", "proved"),
+        ("u*((10**7 + x)**2 - 10**14 - 2*10**7*x)", "2*u*x**2", "false"),
+        ("105**2*x**2/10**72", "105**2*x**2/(2*10**72)", "false"),
+        ("x + 1/10**45", "x", "false"),
+        ("x + 2", "x + 2", "proved"),
+    ],
+)
+def test_large_and_tiny_numbers_are_compared_by_their_digits(typed, meant, verdict):
+    y, names = Symbol("y", real=True), {"x": Symbol("x", real=True), "u": Symbol("u", real=True)}
+    with as_printed():
+        claimed = Equation(y, sympy.parse_expr(typed, local_dict=names, evaluate=False))
+    found = judge_check(Check(claimed, {y: sympy.sympify(meant, locals=names)}))
+    assert found.verdict == verdict
+    if found.counterexample is not None:
+        assert found.counterexample.left != found.counterexample.right
 
 
 def test_the_last_verdict_of_its_checks_is_the_claims():
