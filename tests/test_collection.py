@@ -651,7 +651,7 @@ def test_an_exercise_may_have_a_text_behind_those_of_the_pages(tmp_path, monkeyp
     text.write_text(line % "-", "utf-8")
     capsys.readouterr()
     assert main(["exercise", "my_course/", "period"]) == 0
-    assert "Expand (1.1) to first order in θ:\n  θ̈ ≈ −(g/l)θ\n" in capsys.readouterr().out
+    assert "  Expand (1.1) to first order in θ:\n    θ̈ ≈ −(g/l)θ\n" in capsys.readouterr().out
     text.write_text(line % "", "utf-8")
     assert main(["exercise", "my_course/", "period"]) == 1
     shown = " ".join(capsys.readouterr().out.split())

@@ -110,7 +110,7 @@ def check_letters(letters: Sequence[Lettered]) -> None:
         if not can_be_set(glyph):
             shown = repr(glyph.base + glyph.sub)
             wrong.append(
-                f"no document can set {shown}, the letter of {letter.name}: take a Latin or Greek one"
+                f"no document can set {shown}, the letter of {letter.name}: take Latin or Greek"
             )
     if wrong:
         raise RigidtopError("\n".join(wrong))

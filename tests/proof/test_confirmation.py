@@ -180,14 +180,18 @@ PAGES = (Page("1", "Numbers", "About numbers.", (circle,)),)
     ("right", "code", "said"),
     [
         ("1 + 0 * x", 0, "1 zero confirmed by another arithmetic, 0 not"),
-        # Forty digits, which are evidence, do not tell it from 1.
         ("1 - Rational(1, 10**50)", 1, "1.1: another arithmetic refutes that this is 0: sin(x)"),
     ],
 )
-def test_check_thorough_fails_where_a_zero_is_refuted(right, code, said, tmp_path, capsys):
+def test_check_thorough_fails_where_a_zero_is_refuted(
+    right, code, said, tmp_path, capsys, monkeypatch
+):
     folder = tmp_path / f"course_{code}"
     folder.mkdir()
     (folder / "__init__.py").write_text(COURSE.format(right))
+    assert main(["check", f"{folder}/"]) == code  # the normal form tells it from 1
+    monkeypatch.setattr(Polynomial, "is_zero", lambda _: True)
+    capsys.readouterr()
     assert main(["check", f"{folder}/"]) == 0
     assert "another arithmetic" not in capsys.readouterr().out
     assert main(["check", f"{folder}/", "--thorough"]) == code
