@@ -127,7 +127,7 @@ def _run(
     from rigidtop.proof.words import unmarked
     from rigidtop.report.records import measures, record
     from rigidtop.report.wording import Wording
-    from rigidtop.terminal.table import table, wants_color
+    from rigidtop.terminal.table import paragraph, table, wants_color
 
     found = claims.named(collection, names) if names else claims.every(collection)
     every = options.thorough and not names
@@ -173,13 +173,9 @@ def _run(
         print()
         print(table(numbers, ("error", "tolerance", "", "compared with a computed motion")))
     print()
-    for line in amiss:
-        print(line)
-    if trials:
-        print(_counts([*trials.values()]))
-    for line in (*confirmation, *model[-1:]):
-        print(line)
-    print(claims.summary(judgements))
+    counts = [_counts([*trials.values()])] if trials else []
+    for line in (*amiss, *counts, *confirmation, *model[-1:], claims.summary(judgements)):
+        print(paragraph(line))
     return 0 if passed else claims.FAILED
 
 

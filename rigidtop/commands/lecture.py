@@ -111,6 +111,7 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.figures.catalog import FIGURES
     from rigidtop.report.lecture import Edition, Wanted, write_lecture
     from rigidtop.report.solutions import solved
+    from rigidtop.report.ways import gap
     from rigidtop.terminal.files import check_folder
     from rigidtop.terminal.table import paragraph
     from rigidtop.web.player import player
@@ -159,7 +160,8 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         options.record,
     )
     unsolved = [solution.exercise.name for solution in solutions if not solution.passed]
-    passed = all(judgement.passed for judgement in judgements) and not unsolved
+    gaps = lines.gaps()
+    passed = all(judgement.passed for judgement in judgements) and not (unsolved or gaps)
     if options.json:
         print_json({"files": [str(file) for file in files], "passed": passed})
     else:
@@ -168,4 +170,6 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         said = f"NOT CONFIRMED: {', '.join(unsolved)}" if unsolved else "every number confirmed"
         solved_all = f"{len(solutions)} exercise{'s' * (len(solutions) != 1)} solved"
         print(paragraph(f"{solved_all}; {said}"))
+        for each in gaps:
+            print(paragraph(gap(each, lines.letters)))
     return 0 if passed else claims.FAILED

@@ -53,6 +53,8 @@ def _run(
 
     whole = lecture.map
     shown = part(whole, names) if names else whole
+    falling = [name for name in shown if lecture.gaps(lecture.leading([name]))]
+    code = claims.FAILED if falling else 0
     if options.output is not None:
         from rigidtop.terminal.files import check_folder, write_whole
 
@@ -64,12 +66,17 @@ def _run(
         write_whole(path, drawn(lecture, shown, kind, notation))
         if not options.json:
             print(path)
-            return 0
+            return code
     if options.json:
         print_json(
             {
                 "results": [
-                    {"name": name, "rests_on": list(on), "falls_with": list(lecture.resting(name))}
+                    {
+                        "name": name,
+                        "rests_on": list(on),
+                        "falls_with": list(lecture.resting(name)),
+                        "follows": name not in falling,
+                    }
                     for name, on in shown.items()
                     if name not in lecture.laws
                 ],
@@ -84,7 +91,7 @@ def _run(
                 ],
             }
         )
-        return 0
+        return code
     for name, on in shown.items():
         if name not in lecture.laws:
             said = ", ".join(label(lecture, each, notation) for each in on) or "definitions alone"
@@ -93,4 +100,7 @@ def _run(
         below = [label(lecture, each, notation) for each in lecture.resting(name)]
         on_it = f"On {label(lecture, name, notation)} rest {len(below)}: {', '.join(below)}"
         print("\n" + paragraph(on_it, rest="  "))
-    return 0
+    if falling:
+        labels = [label(lecture, each, notation) for each in falling]
+        print(paragraph(f"\nNot every line to these follows: {', '.join(labels)}"))
+    return code

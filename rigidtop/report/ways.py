@@ -311,8 +311,10 @@ def relation(condition: Condition, notation: Notation = NOTES) -> Node:
     """A condition as it is printed: sin θ ≠ 0."""
     sign = "=" if condition.relation == "start" else condition.relation
     beside = sympy.Integer(1 if sign == "≪" else 0)
-    equation = Equation(condition.expression, beside, relation=sign)
-    return layout(notation.written(equation), "auto")
+    expression = notation.written(condition.expression)
+    if sign in ("=", "≠") and text(expression).startswith("−"):
+        expression = sympy.expand(-expression)
+    return layout(Equation(expression, beside, relation=sign), "auto")
 
 
 def running(

@@ -171,7 +171,7 @@ def test_a_mistyped_anchor_is_named(course, capsys):
     ("right", "wrong", "said"),
     [
         ('"kg"', '"pound"', "the unit 'pound' of m is not known: write it in kg, m, s, A, K"),
-        ('Glyph("m")', 'Glyph("ж")', "no document can set 'ж', the letter of m: take a Latin"),
+        ('Glyph("m")', 'Glyph("ж")', "no document can set 'ж', the letter of m: take Latin or Greek"),
     ],
 )
 def test_a_letter_that_no_line_can_be_held_to_is_refused(right, wrong, said, course, capsys):
@@ -181,3 +181,19 @@ def test_a_letter_that_no_line_can_be_held_to_is_refused(right, wrong, said, cou
     letters.write_text(text.replace(right, wrong), "utf-8")
     assert main(["check", f"{course}/"]) == 2
     assert said in capsys.readouterr().err
+
+
+def test_a_gap_is_told_wherever_a_result_is_shown(course, tmp_path, capsys):
+    page = course / "pendulum.md"
+    text = page.read_text("utf-8")
+    page.write_text(text.replace("= -mgl\\sin\\theta$$", "= -2mgl\\sin\\theta$$", 1), "utf-8")
+    assert main(["map", f"{course}/"]) == 1
+    assert "Not every line to these follows: (1.1)" in capsys.readouterr().out
+    assert main(["map", f"{course}/", "--json"]) == 1
+    results = {each["name"]: each for each in json.loads(capsys.readouterr().out)["results"]}
+    assert results["1.1"]["follows"] is False
+    assert main(["lecture", f"{course}/", "-o", str(tmp_path / "out")]) == 1
+    assert "does not follow" in capsys.readouterr().out
+    page.write_text(text + "\n" + WRONG_REMARK, "utf-8")  # to which no result is led
+    assert main(["map", f"{course}/"]) == 0
+    assert main(["lecture", f"{course}/", "-o", str(tmp_path / "out")]) == 1
