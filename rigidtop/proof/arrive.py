@@ -62,6 +62,8 @@ def arrive(
     performed = perform(move, letters) if performed is None else performed
     algebra = Algebra(letters, performed.given)
     gone = [e.sides[0] for e in move.by] if move.verb == "set" and move.power < 2 else []
+    if move.verb == "set" and move.power == 1:  # at all times: so are its rates
+        gone += [rate for e in move.by for rate in _with_rates(e.sides[0], letters)[1:]]
     if performed.scope is Scope.SET:  # what was set to a number, here or above
         fixed, numbers = where_set(performed.conditions, Scope.SET, letters), letters.numbers
         gone += [
@@ -209,14 +211,28 @@ def _with_rates(letter: Expr, letters: Letters) -> list[Expr]:
 
 
 def _until(solution: Expr) -> list[Condition]:
-    """That what a solution divides by has the sign that it has at t = 0."""
+    """That what a solution divides by has the sign that it has at t = 0.
+
+    A tangent, and one over a cosine, end a quarter turn from there.
+    """
     made = []
+    turning = [f.args[0] for f in solution.atoms(sympy.tan)]
+    turning += [p.base.args[0] for p in solution.atoms(sympy.Pow) if _is_inverse_cosine(p)]
+    for angle in dict.fromkeys(turning):
+        slope = angle.diff(TIME)
+        if slope.is_positive or slope.is_negative:
+            quarter = sympy.pi / 2
+            made.append(Condition(quarter - (angle if slope.is_positive else -angle), ">"))
     for power in solution.atoms(sympy.Pow):
         if power.exp.is_negative and power.base.has(TIME):
             begins = power.base.subs(TIME, 0)
             sign = 1 if begins.is_positive else -1 if begins.is_negative else 1 / begins
             made.append(Condition(sympy.expand(sign * power.base), ">"))
     return made
+
+
+def _is_inverse_cosine(power: Expr) -> bool:
+    return isinstance(power.base, sympy.cos) and power.exp.is_negative and power.base.has(TIME)
 
 
 def _gives_rates(pairs: Sequence[Pair], states: Sequence[Sequence[Expr]], letters: Letters) -> None:
@@ -249,7 +265,7 @@ def _first_integral(
         raise RefusedError("what holds approximately can't be integrated")
     bare, given = Algebra(letters), Algebra(letters, performed.given)
     at_start = {e.sides[0]: bare.value(e.sides[1]) for e in move.by}
-    start = Algebra(letters, at_start)
+    start = Algebra(letters, {TIME: Integer(0), **at_start})
     for equation in equations:
         for letter, value in at_start.items():
             if letter not in symbols_of(equation):
@@ -428,7 +444,9 @@ def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> RefusedErr
     if order.small == NEGLECTED:  # it is small against the largest term that stands there
         nothing = sum(len(Add.make_args(x)) for x in map(sympy.expand, counted) if x != 0) < 2
     else:
+        right = [flattened(x)[0] for x in components(pair.right, Integer(0)) if x != 0]
         nothing = min((order.lowest(x) for x in counted), default=0) >= order.power
+        nothing |= not right and order.power <= 0
     if nothing:
         return RefusedError("the error is as large as what stands there: nothing is known")
     for flat in map(order.counted, counted):

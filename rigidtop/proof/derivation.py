@@ -188,6 +188,8 @@ def define(line: Line, letters: Letters) -> Symbol:
     if letter in letters.unit_vectors | letters.arbitrary | {TIME}:
         raise RefusedError("{} has a meaning of its own: it can't be defined", letter)
     right = equation.sides[1]
+    if right == const:
+        raise RefusedError("{} is not known to be constant: show it by its rate", letter)
     try:
         _as_it_is_used(letter, right, letters)
         nothing = Performed((), Scope.IDENTITY)
@@ -254,6 +256,8 @@ def _contradiction(
     """Why a line, its conditions and what it rests on can't all hold, or nothing."""
     conditions = performed.conditions
     cited = line.move.cited if line.move is not None else ()
+    if len(cited) > 1 and _at_odds(cited, letters):
+        return _AGAINST
     if len(cited) != 1 or {*conditions} != {*cited[0].conditions}:  # else asked for above
         resting = [
             (known, equation)
@@ -287,6 +291,19 @@ def _contradiction(
     unset = [c for c in conditions if c.relation != "="]
     scalar = [x for x in settings if not {*letters.vectors} & x.free_symbols]
     return _AGAINST if any(never_vanishes(x, unset) for x in scalar) else ""
+
+
+def _at_odds(cited: Sequence[Known], letters: Letters) -> bool:
+    """Whether two of the equations that are cited give a letter values that differ by a number."""
+    given: dict[Expr, Value] = {}
+    for known in cited:
+        for equation in known.equations if known.order is None else ():
+            if equation.relation in ("=", "≡") and const not in equation.sides:
+                with suppress(RefusedError, NoMeaningError):
+                    if given and _is_false(equation, given, letters):
+                        return True
+                    give(equation, known, given, letters)
+    return False
 
 
 def _settled(

@@ -24,6 +24,8 @@ from rigidtop.proof.equation import NoMeaningError, Printed
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known, RefusedError, Scope
 from rigidtop.proof.trial import survivors, unneeded
+from rigidtop.proof.values import Value
+from rigidtop.theory.symbols import const
 
 
 @dataclass(frozen=True)
@@ -322,22 +324,31 @@ def _defined(letters: Letters, texts: Iterable[Text], file: str) -> Letters:
     """With what definitions say of their letters, their units too, and the laws of one page."""
     defined: dict[Symbol, frozenset[Symbol]] = {}
     means: dict[Symbol, Expr] = {}
+    relations: list[Expr] = []
     for line in (line for text in texts for line in text.lines):
         is_named = line.move is not None and line.move.verb == "call"
-        for equation in line.equations if is_named or line.move is None else ():
+        is_law = line.move is None and line.file == file and line.scope is Scope.IDENTITY
+        for equation in line.equations if is_named or is_law else ():
             letter, *meant = equation.sides
-            given = line.file == file and line.scope is Scope.IDENTITY and equation.relation in "=≡"
-            if not (is_named or (given and isinstance(letter, Symbol) and len(meant) == 1)):
-                continue
             if is_named:
                 letters = units.defining(letters, equation)
                 free: set[Symbol] = set().union(*(side.free_symbols for side in meant))
                 defined[letter] = frozenset(free)
+            if len(meant) > 1 or equation.relation not in "=≡" or const in meant:
+                continue
             with suppress(NoMeaningError):
-                value = Algebra(letters).value(meant[0])
-                if isinstance(value, Expr) and not value.has(Printed):
-                    means[letter] = value
-    return replace(letters, defined=defined, means=means)
+                left, right = map(Algebra(letters).value, equation.sides)
+                if _is_plain(left) and _is_plain(right):
+                    if isinstance(letter, Symbol):
+                        means[letter] = right
+                    else:
+                        relations.append(left - right)
+    return replace(letters, defined=defined, means=means, relations=tuple(relations))
+
+
+def _is_plain(value: Value) -> bool:
+    """Whether a value is an expression of letters alone."""
+    return isinstance(value, Expr) and bool(value.is_commutative) and not value.has(Printed)
 
 
 def with_standing(line: Line, standing: dict[str, Known]) -> Line:

@@ -12,7 +12,7 @@ from sympy.integrals.manualintegrate import manualintegrate
 
 from rigidtop.proof import decide
 from rigidtop.proof.confirmation import heard
-from rigidtop.proof.equation import NoMeaningError, Printed, Transposed
+from rigidtop.proof.equation import Dot, NoMeaningError, Printed, Transposed
 
 Value = Any
 """A scalar, a `Vector`, an operator (an expression of letters that do not commute) or a matrix."""
@@ -91,7 +91,8 @@ def flattened(expression: Expr) -> tuple[Expr, dict[Symbol, Expr]]:
         if isinstance(node, Printed):
             found = next((d for d, known in atoms.items() if known == node), None)
             if found is None:
-                found = Dummy(real=True)
+                squared = isinstance(node, Dot) and node.args[0] == node.args[1]
+                found = Dummy(nonnegative=True) if squared else Dummy(real=True)
                 atoms[found] = node
             return found
         if not node.args or not node.has(Printed):

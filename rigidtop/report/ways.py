@@ -297,7 +297,8 @@ def _spoken(words: b.Rich, judged: Judged, notation: Notation) -> b.Rich:
     cited = () if move is None else move.cited
     old = [c for known in cited for c in known.conditions]
     old += () if move is None else move.where
-    new = [c for c in judged.known.conditions if c not in old and c.relation not in ("=", "start")]
+    said = ("=", "start", "large", "small")
+    new = [c for c in judged.known.conditions if c not in old and c.relation not in said]
     new = [c for c in new if not (c.relation == "≥" and c.expression.is_nonnegative)]
     if not (new and words and isinstance(words[-1], str)):
         return words
@@ -443,6 +444,9 @@ def conditions(known: Known, notation: Notation = NOTES) -> list[str]:
     """What an equation holds under, and the order of what is left out of it, as text."""
     made = []
     for condition in known.conditions:
+        if condition.relation in ("large", "small"):
+            made.append(f"{text(notation.written(condition.expression))} {condition.relation}")
+            continue
         when = " at the start" if condition.relation == "start" else ""
         made.append(text(relation(condition, notation)) + when)
     order = known.order

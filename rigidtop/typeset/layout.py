@@ -145,6 +145,11 @@ def _(tree: sympy.Number, order: Order) -> lay.Node:
 
 
 @_node.register
+def _(tree: sympy.core.numbers.ImaginaryUnit, order: Order) -> lay.Node:
+    return lay.lettered(lay.glyph("i"))
+
+
+@_node.register
 def _(tree: sympy.NumberSymbol, order: Order) -> lay.Node:
     return lay.Letter(Glyph({"Pi": "π", "Exp1": "e"}[type(tree).__name__]))
 

@@ -171,7 +171,11 @@ def test_a_mistyped_anchor_is_named(course, capsys):
     ("right", "wrong", "said"),
     [
         ('"kg"', '"pound"', "the unit 'pound' of m is not known: write it in kg, m, s, A, K"),
-        ('Glyph("m")', 'Glyph("ж")', "no document can set 'ж', the letter of m: take Latin or Greek"),
+        (
+            'Glyph("m")',
+            'Glyph("ж")',
+            "no document can set 'ж', the letter of m",
+        ),
     ],
 )
 def test_a_letter_that_no_line_can_be_held_to_is_refused(right, wrong, said, course, capsys):

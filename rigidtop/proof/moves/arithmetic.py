@@ -23,7 +23,7 @@ from rigidtop.proof.moves.move import (
     the_factor,
     the_one,
 )
-from rigidtop.proof.moves.orders import NEGLECTED, OF_NO_ORDER
+from rigidtop.proof.moves.orders import NEGLECTED, OF_NO_ORDER, nothing_hidden
 from rigidtop.proof.moves.pairs import (
     all_pairs,
     equal_pairs,
@@ -32,7 +32,7 @@ from rigidtop.proof.moves.pairs import (
     said_pairs,
     scalars,
 )
-from rigidtop.proof.values import Value, Vector, vanishes
+from rigidtop.proof.values import Value, Vector, flattened, vanishes
 
 
 def put(move: Move, algebra: Algebra) -> Performed:
@@ -118,11 +118,16 @@ def _compared(known: Known, algebra: Algebra) -> list[Pair]:
 
 
 def _times(factor: Value, pair: Pair, algebra: Algebra, move: Move) -> Pair:
-    """Both sides with a factor, which has to be positive where one side is larger."""
-    if pair.relation in _TURNED and not bounds.positive(*flat_with(factor, move.where)):
-        raise RefusedError("{} has no known sign: an inequality may turn round", factor)
+    """Both sides with a factor, of which the sign has to be known where one side is larger."""
+    relation = pair.relation
+    if relation in _TURNED:
+        known = (*move.where, *move.bounds)
+        if bounds.positive(*flat_with(-factor, known)):
+            relation = _TURNED[relation]
+        elif not bounds.positive(*flat_with(factor, known)):
+            raise RefusedError("{} has no known sign: an inequality may turn round", factor)
     left, right = algebra.times(factor, pair.left), algebra.times(factor, pair.right)
-    return replace(pair, left=left, right=right)
+    return Pair(left, right, relation)
 
 
 def _of_sum(one: str, other: str) -> str:
@@ -157,6 +162,9 @@ def multiply(move: Move, algebra: Algebra) -> Performed:
     made = mapped(
         move, algebra, lambda v: algebra.times(v, factor) if right else algebra.times(factor, v)
     )
+    if known.order is not None:
+        small = known.order.together or (known.order.small,)
+        nothing_hidden(flattened(factor)[0], known, small, algebra.letters)
     return replace(made, order=_shifted(known.order, factor))
 
 

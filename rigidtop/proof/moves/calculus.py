@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from sympy import Expr, MatrixBase, Symbol
 
+from rigidtop.proof import quadrature
 from rigidtop.proof.algebra import Algebra
-from rigidtop.proof.equation import Partial, Printed, symbols_of
+from rigidtop.proof.equation import IntegralOver, Partial, Printed, symbols_of
 from rigidtop.proof.moves.conditions import divided_by
 from rigidtop.proof.moves.move import (
     Condition,
@@ -157,6 +158,8 @@ def _time(known: Known, move: Move, algebra: Algebra) -> Performed:
         allowed = algebra.letters.numbers | {letter}
         if pair.right.atoms(Printed) or not pair.right.free_symbols <= allowed:
             raise RefusedError("{} is no function of {} alone", rate, letter)
+        if not quadrature.is_passed(IntegralOver(letter, low, high, 1 / pair.right)):
+            raise RefusedError("on the way {} rests, turns back or goes the other way", letter)
         time = algebra.integrated(letter, low, high, 1 / pair.right)
         pairs.append(Pair(TIME, time))
         conditions += divided_by(pair.right, move.where)

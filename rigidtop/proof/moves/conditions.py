@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 import sympy
-from sympy import Expr, MatrixBase, Mul, Pow, Symbol
+from sympy import Dummy, Expr, MatrixBase, Mul, Pow, Rational, Symbol
 from sympy.core.relational import Relational
 
 from rigidtop.proof import bounds, floats
@@ -85,7 +85,23 @@ def never_vanishes(expression: Expr, conditions: Sequence[Condition]) -> bool:
             height > 0
         ):
             return False
-    return nonzero(expression, conditions)
+    roots = {r: Dummy(nonnegative=True) for r in expression.atoms(Pow) if r.exp == Rational(1, 2)}
+    return nonzero(expression.xreplace(roots), conditions)
+
+
+def never_positive(expression: Expr, conditions: Sequence[Condition]) -> bool:
+    """Whether an expression is not positive at any point drawn at which conditions hold."""
+    flat, relations = flat_with(expression, conditions)
+    told = 0
+    for attempt in range(4 * DRAWS):
+        number = floats.at(_drawn(flat, relations, attempt))
+        height = number(flat)
+        bound = [number(x.lhs) for x in relations if x.func is sympy.Gt]
+        if math.isfinite(height) and all(at > 0 for at in bound):
+            told += 1
+            if height > 0:
+                return False
+    return told >= DRAWS // 2
 
 
 def _drawn(flat: Expr, relations: Sequence[Relational], attempt: int) -> dict[Symbol, Expr]:

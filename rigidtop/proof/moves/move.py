@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy
 from sympy import Expr, Symbol
+from sympy.core.function import PoleError
 
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation
@@ -59,20 +60,32 @@ class Order:
         return expression.xreplace({x: self.small * x for x in self.together})
 
     def lowest(self, expression: Expr) -> int:
-        """The power of what is small with which an expression begins."""
+        """The power of what is small with which an expression begins.
+
+        Raises RefusedError where it begins with none that is known.
+        """
         counted = self.counted(expression)
         if not counted.has(self.small):
             return 0
-        for power, at in enumerate(islice(slopes_at_zero(counted, self.small), self.power + 1)):
-            if not vanishes(at):
-                return power
-        _, power = counted.as_leading_term(self.small).as_coeff_exponent(self.small)
-        return int(sympy.floor(power))
+        for power in counted.atoms(sympy.Pow):
+            if power.has(self.small) and not power.exp.is_number:
+                raise RefusedError("of {} no order in {} is known", power, self.small)
+        try:
+            slopes = slopes_at_zero(counted, self.small)
+            for power, at in enumerate(islice(slopes, max(self.power, 0) + 1)):
+                if not vanishes(at):
+                    return power
+            _, power = counted.as_leading_term(self.small).as_coeff_exponent(self.small)
+            return int(sympy.floor(power))
+        except (PoleError, NotImplementedError, TypeError, ValueError):
+            raise RefusedError("of {} no order in {} is known", expression, self.small) from None
 
 
 @dataclass(frozen=True)
 class Condition:
-    """What has to hold besides: `expression` ≠, >, ≥ or = 0, ≪ 1, or 0 at the "start".
+    """What has to hold besides: `expression` ≠, >, ≥ or = 0, ≪ 1, 0 at the "start", or "large".
+
+    So is "small" what has to be small.
 
     `lost`: a branch ends there.
     """

@@ -67,9 +67,10 @@ def expand(move: Move, algebra: Algebra) -> Performed:
         counted = order.counted(flat)
         if not counted.has(order.small):
             return value
-        _nothing_hidden(flat, known, move.by, algebra.letters)
+        order.lowest(flat)  # where a letter stands in an exponent there is none
+        nothing_hidden(flat, known, move.by, algebra.letters)
         made = _series(counted, order)
-        for x in {*move.by} & letters.means.keys():
+        for x in move.by:
             _kept_is_larger(flat, made.subs(SMALL, 1), x, move.by, letters)
         return (made.subs(SMALL, 1) if together else made).xreplace(nodes)
 
@@ -89,7 +90,7 @@ def _at_zero(known: Known, small: Sequence[Expr]) -> tuple[Condition, ...]:
     return tuple(made)
 
 
-def _nothing_hidden(flat: Expr, known: Known, small: Sequence[Expr], letters: Letters) -> None:
+def nothing_hidden(flat: Expr, known: Known, small: Sequence[Expr], letters: Letters) -> None:
     """Raises RefusedError where a letter of an expression changes with what is small.
 
     Along the motion a law may give a letter that is constant.
@@ -111,30 +112,31 @@ def _kept_is_larger(
     """Raises RefusedError unless what is left out vanishes beside each term that is kept.
 
     A letter that stands for a ratio, such as ε, becomes small by one of those in it, whichever
-    that is: where another term has them too, that becomes small as well.
+    that is: where another term has them too, that becomes small, or large, as well.
     """
-    meaning = letters.means[small]
-    for x in sorted(meaning.free_symbols & kept.free_symbols, key=str):
-        solution = _solved(meaning, small, x)
-        for term in Add.make_args(sympy.expand(kept)) if solution is not None else ():
-            ratio = ((whole - kept) / term).xreplace({x: solution})
-            far, near = (_share(ratio, together, n) for n in DEPTHS)
-            if not near < far / 2:
-                raise RefusedError(
-                    "{} stands for {}: what is left out is not small beside {}",
-                    small,
-                    meaning,
-                    term,
-                )
+    relations = [relation for relation in letters.relations if relation.has(small)]
+    relations += [letters.means[small] - small] if small in letters.means else []
+    for relation in relations:
+        for x in sorted(relation.free_symbols & whole.free_symbols - {small}, key=str):
+            for solution in _solutions(relation, x):
+                for term in Add.make_args(sympy.expand(kept)):
+                    ratio = ((whole - kept) / term).xreplace({x: solution})
+                    far, near = (_share(ratio, together, n) for n in DEPTHS)
+                    if not near < far / 2:
+                        raise RefusedError(
+                            "with {} = 0 what is left out is not small beside {}", relation, term
+                        )
 
 
-def _solved(meaning: Expr, small: Symbol, x: Symbol) -> Expr | None:
-    """A letter by what a small one means, if it is a power of it or linear in it; else None."""
-    slope = meaning.diff(x)
-    if not slope.has(x):
-        return x + (small - meaning) / slope
-    power = sympy.cancel(x * slope / meaning)
-    return (small * x**power / meaning) ** (1 / power) if power.is_Number else None
+def _solutions(relation: Expr, x: Symbol) -> list[Expr]:
+    """A letter by a relation that vanishes, where that is of the first or second degree in it."""
+    above = sympy.fraction(sympy.together(relation))[0]
+    if not above.is_polynomial(x):
+        return []
+    degree = sympy.degree(above, x)
+    if degree > 2:
+        return []
+    return [] if degree < 1 else [*sympy.roots(sympy.Poly(above, x))]
 
 
 def _share(ratio: Expr, small: Sequence[Expr], n: int) -> Any:
@@ -174,7 +176,7 @@ def neglect(move: Move, algebra: Algebra) -> Performed:
         raise RefusedError("say where it is small: “…, for large $x$” or “…, for small $x$”")
     left_out = [algebra.value(x) for x in move.by[:-1]]
     for each in (part for value in left_out for part in scalars(value)):
-        _nothing_hidden(flattened(each)[0], known, move.by[-1:], algebra.letters)
+        nothing_hidden(flattened(each)[0], known, move.by[-1:], algebra.letters)
     pairs = []
     conditions: list[Condition] = []
     for pair in said_pairs(known, algebra):
@@ -216,11 +218,17 @@ def _outweighed(
             for t in Add.make_args(sympy.expand(flat))
         ]
 
+    for term, _ in (t for value in (*left_out, kept) for t in terms(value)):
+        # What is large is told by powers: a tangent, a cosine or a growth has no order there.
+        large = term.has(letter) and move.power > 0
+        if large and not sympy.cancel(letter * term.diff(letter) / term).is_Number:
+            raise RefusedError("{} is no power of {}: its size there is not known", term, letter)
+
     def least(term: Expr) -> int:
         return Order(SMALL, 1).lowest(term.subs(letter, letter * SMALL**-move.power))
 
     largest = min(least(term) for term, _ in terms(kept))
-    conditions = []
+    conditions = [Condition(letter, where)]
     for term, small in (t for value in left_out for t in terms(value)):
         if least(term) <= largest:
             raise RefusedError("for {} {} it is not small against what is kept", where, letter)

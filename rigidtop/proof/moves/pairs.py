@@ -161,6 +161,17 @@ def _solved(vanishing: Value, backwards: bool = False) -> tuple[Symbol, Value] |
     return None
 
 
+def at_right_angles(gap: Expr, letters: Letters) -> bool:
+    """Whether what is to vanish is a sum of axes of one frame with numbers before them.
+
+    >>> e, f = sympy.symbols("e f")
+    >>> at_right_angles(e - f, Letters(frames=((e, f, Symbol("g")),)))
+    True
+    """
+    numbers = sympy.expand(gap).as_coefficients_dict()
+    return any({*numbers} <= {*frame} for frame in letters.frames) and any(numbers.values())
+
+
 def _differ_by_number(left: Value, right: Value) -> bool:
     return any(part.is_number and part != 0 for part in components(left, right))
 

@@ -21,6 +21,7 @@ from rigidtop.proof.moves import (
     signs,
     solving,
 )
+from rigidtop.proof.moves.conditions import nonzero
 from rigidtop.proof.moves.move import (
     Known,
     Move,
@@ -32,7 +33,14 @@ from rigidtop.proof.moves.move import (
     name_of,
 )
 from rigidtop.proof.moves.orders import NEGLECTED, OF_NO_ORDER
-from rigidtop.proof.moves.pairs import nodes_of, put_in, scalars, single_atom, where_set
+from rigidtop.proof.moves.pairs import (
+    at_right_angles,
+    nodes_of,
+    put_in,
+    scalars,
+    single_atom,
+    where_set,
+)
 from rigidtop.proof.values import Value, Vector, atoms_of, components, flattened, tree, vanishes
 from rigidtop.theory.trig import reduce_ratio
 
@@ -49,8 +57,11 @@ def perform(move: Move, letters: Letters) -> Performed:
     except NoMeaningError as error:
         raise RefusedError(str(error)) from None
     sides = [side for pair in made.pairs for side in pair.sides]
-    if any(part.has(*_NO_NUMBERS) for side in sides for part in scalars(side)):
+    parts = [part for side in sides for part in scalars(side)]
+    if any(part.has(*_NO_NUMBERS) for part in parts):
         raise RefusedError("a division by 0")
+    if any(part.has(sympy.I) for part in parts):
+        raise RefusedError("a root, or a logarithm, of what is negative")
     conditions = list(made.conditions)
     for each in (*move.of, *move.using):
         conditions += [c for c in each.conditions if c not in conditions]
@@ -61,6 +72,11 @@ def perform(move: Move, letters: Letters) -> Performed:
     there = Algebra(letters, where_set(always, Scope.SET, letters))
     starts = [tree(there.value(c.expression)) for c in conditions if c.relation == "start"]
     _one_way(starts, "starts", letters)
+    large, small = (
+        {c.expression for c in conditions if c.relation == size} for size in ("large", "small")
+    )
+    for letter in large & small:
+        raise RefusedError("{} is large in one of these and small in another", letter)
     scope = max((made.scope, *(k.scope for k in move.cited)), default=made.scope)
     tied = made.tied.union(*(known.tied for known in move.cited))
     return replace(made, scope=scope, conditions=tuple(conditions), tied=tied)
@@ -69,9 +85,12 @@ def perform(move: Move, letters: Letters) -> Performed:
 def _one_way(starts: Sequence[Expr], word: str, letters: Letters) -> None:
     """Refuse what is cited of two motions or moments, with different values of a letter."""
     for k, start in enumerate(starts):
-        for other in starts[:k] if start.free_symbols - letters.numbers else ():
+        if not start.free_symbols - letters.numbers or start.free_symbols & letters.arbitrary:
+            continue
+        for other in starts[:k]:
             difference = sympy.expand(start - other)
-            if difference.free_symbols <= letters.numbers and not vanishes(difference):
+            by_number = difference.free_symbols <= letters.numbers and not vanishes(difference)
+            if by_number or at_right_angles(difference, letters):
                 raise RefusedError("what is cited {} in two ways: {} and {}", word, other, start)
 
 
@@ -81,6 +100,12 @@ def _with(made: Performed, move: Move, letters: Letters) -> Performed:
         if each.scope is Scope.SET:
             _reaches_into(each, made.pairs, letters)
     given = put_in(move.using, letters)
+    for atom in {*given} & {*made.given}:
+        apart = tree(given[atom]) - tree(made.given[atom])
+        if atom not in letters.vectors and nonzero(apart, ()):
+            raise RefusedError(
+                "{} is set to {}, and what is cited says {}", atom, made.given[atom], given[atom]
+            )
     # What is set is set in what is put in as well; at a moment it says nothing of a rate.
     there = Algebra(letters, made.given)
     for old, new in given.items():

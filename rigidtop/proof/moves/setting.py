@@ -21,7 +21,7 @@ from rigidtop.proof.moves.move import (
     name_of,
     the_one,
 )
-from rigidtop.proof.moves.pairs import all_pairs, atom_of, nodes_of, put_in
+from rigidtop.proof.moves.pairs import all_pairs, at_right_angles, atom_of, nodes_of, put_in
 from rigidtop.proof.values import TIME, Value, Vector, agree, atoms_of, tree, vanishes
 
 
@@ -39,15 +39,18 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
         if not vanishes(algebra.dot(given[atom], given[atom]) - 1):
             raise RefusedError("{} is a unit vector", atom)
     _small_stays(given, known)
+    for atom, value in given.items():
+        if at_right_angles(tree(value) - atom, letters):
+            raise RefusedError("{} and {} are axes of one frame, at right angles", atom, value)
     at_start = move.power == 2
     always = move.power == 1 or all(
-        x in letters.numbers and value.free_symbols <= letters.numbers for x, value in given.items()
+        x in letters.numbers and {*atoms_of(value)} <= letters.numbers for x, value in given.items()
     )
     if always:
         for atom in list(given):
             if (
                 isinstance(given[atom], (Vector, MatrixBase))
-                or given[atom].free_symbols - letters.numbers
+                or {*atoms_of(given[atom])} - letters.numbers
             ):
                 raise RefusedError("only to a number can a letter be set at all times")
             given |= dict.fromkeys(_with_rates(atom, letters) - {atom}, Integer(0))
@@ -76,6 +79,13 @@ def _small_stays(given: Mapping[Expr, Value], known: Known) -> None:
     for x in () if order is None else order.together or (order.small,):
         if x in given and given[x] != 0 and getattr(given[x], "is_number", False):
             raise RefusedError("{} is small in {}: it can't be set", x, name_of(known))
+    for condition in known.conditions:
+        if condition.relation in ("large", "small") and condition.expression in given:
+            raise RefusedError(
+                f"{{}} is {condition.relation} in {{}}: it can't be set",
+                condition.expression,
+                name_of(known),
+            )
 
 
 def _letters_of(given: Mapping[Expr, Value]) -> Iterator[Expr]:

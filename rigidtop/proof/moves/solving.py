@@ -9,10 +9,9 @@ from typing import Any
 import sympy
 from sympy import Dummy, Expr, Integer, Symbol
 
-from rigidtop.proof import bounds
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.moves.conditions import divided_by, flat_with
+from rigidtop.proof.moves.conditions import divided_by, never_positive
 from rigidtop.proof.moves.move import (
     Condition,
     Known,
@@ -132,15 +131,16 @@ def _roots(pair: Pair, unknown: Expr, move: Move, scope: Scope) -> Performed:
     a, b, c = (coefficient.xreplace(nodes) for coefficient in polynomial.all_coeffs())
     if a.could_extract_minus_sign():  # the first of the roots is the same whatever is divided by
         a, b, c = -a, -b, -c
-    discriminant = b**2 - 4 * a * c
+    discriminant = sympy.expand(b**2 - 4 * a * c)
     named = {sign: letter for letter, sign in signs.items()}
     root = sympy.sqrt(discriminant.xreplace(signs)).xreplace(named)
     roots = [(-b + sign * root) / (2 * a) for sign in (-1, 1)]
     conditions = [Condition(discriminant, "≥")]
     conditions += divided_by(a, (*move.where, *move.settings))
     allowed = [each for each in roots if not _against(each, unknown, move.where)]
+    allowed = allowed[:1] if discriminant == 0 else allowed
     pairs = tuple(Pair(unknown, each) for each in allowed)
-    return Performed(pairs, scope, tuple(conditions), every=len(pairs) == len(roots))
+    return Performed(pairs, scope, tuple(conditions), every=len(pairs) == 2)
 
 
 def _against(root: Expr, unknown: Expr, conditions: Sequence[Condition]) -> bool:
@@ -148,7 +148,6 @@ def _against(root: Expr, unknown: Expr, conditions: Sequence[Condition]) -> bool
     for condition in conditions:
         if condition.relation == ">" and condition.expression.has(unknown):
             others = [c for c in conditions if c is not condition]
-            value = condition.expression.xreplace({unknown: root})
-            if bounds.positive(*flat_with(-value, others)):
+            if never_positive(condition.expression.xreplace({unknown: root}), others):
                 return True
     return False
