@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from sympy import Eq, Gt, Lt, Matrix, Ne, cos, sin
 
-from rigidtop.proof.equation import Equation, value
+from rigidtop.proof.equation import Equation, symbols_of, value
 from rigidtop.proof.page import Assumption, Check, Evidence, Formal, Page, Remark, Step, claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
@@ -20,11 +20,9 @@ from .printed import printed
 UP = {s.zhat: Matrix(Z_AXIS)}
 CONSERVED = {s.const: top.along_motion}
 WITHOUT_G = r"\Omega_+ = \frac{\lambda_3\omega_3}{\lambda_1\cos\theta}"
-ROOTS = {
-    root: leading * factor
-    for root, leading, factor in zip(
-        (s.Omega_minus, s.Omega_plus), top.leading_roots(), top.root_factors(), strict=True
-    )
+ROOTS = dict(zip((s.Omega_minus, s.Omega_plus), top.steady_roots_by_smallness(), strict=True))
+EXACT = {s.epsilon: top.smallness()} | {
+    root: rate.subs(s.epsilon, top.smallness()) for root, rate in ROOTS.items()
 }
 FAST = Assumption(
     Eq(s.epsilon, 0),
@@ -33,6 +31,11 @@ FAST = Assumption(
     otherwise=top.smallness(),
 )
 SPINNING = Assumption(Ne(s.omega3, 0), "the top spins about $e₃$", stated=True)
+FORWARD = Assumption(
+    Gt(s.omega3, 0),
+    "$ω₃$ counts positive: for $ω₃ < 0$ the two roots change places",
+    stated=True,
+)
 HORIZONTAL = Assumption(Ne(cos(s.theta), 0), "the top is not horizontal, where there is one root")
 ON_AXIS = tuple(
     Assumption(Eq(x, place), "the centre of mass lies on $e₃$, at $R$ from the pivot", stated=True)
@@ -128,8 +131,11 @@ def two_roots() -> Iterator[Evidence]:
     above = Assumption(Gt(spin, spin - top.discriminant()), "the spin is above the threshold")
     yield Formal(two, meaning, (above,))
     yield Remark(two, meaning, (below,), "Below the horizontal there is no threshold.")
-    yield Check(printed(r"\Omega_- = \frac{MgR}{\lambda_3\omega_3}"), ROOTS, (FAST, SPINNING))
-    yield Check(printed(WITHOUT_G), ROOTS, (FAST, HORIZONTAL))
+    for line in printed.lines("two-roots"):
+        if line.sides[0] in ROOTS and line.relation == "=" and s.epsilon in symbols_of(line):
+            yield Formal(line, EXACT, (FORWARD, HORIZONTAL))
+    yield Check(printed(r"\Omega_- = \frac{MgR}{\lambda_3\omega_3}"), ROOTS, (FAST, FORWARD))
+    yield Check(printed(WITHOUT_G), ROOTS, (FAST, FORWARD, HORIZONTAL))
 
 
 @claim(
@@ -146,7 +152,11 @@ def slow_agrees() -> Iterator[Evidence]:
         r" = \frac{\varepsilon}{\delta^2}"
     )
     yield Formal(footnote, {s.epsilon: top.smallness()}, (scaled, SPINNING))
-    yield Formal(printed(r"\Omega_- = \boldsymbol\Omega\cdot\hat{\mathbf z}"), meaning, (FAST,))
+    slow = r"\lambda_3\omega_3\Omega_-(1 + \sqrt{1 - 4\varepsilon}) = 2MgR"
+    yield Formal(printed(slow), EXACT, (FORWARD,))
+    yield Formal(
+        printed(r"\Omega_- = \boldsymbol\Omega\cdot\hat{\mathbf z}"), meaning, (FAST, FORWARD)
+    )
 
 
 @claim("fast-is-free", "$Ω₊$ does not depend on $g$ and is the free precession of 3.2.3.")
@@ -159,8 +169,8 @@ def fast_is_free() -> Iterator[Evidence]:
     momentum = primed_matrix() * Matrix([across, 0, s.lambda3 * s.omega3])
     meaning = {**ROOTS, **UP, s.L_vec: momentum}
     free = printed(r"\Omega_+\hat{\mathbf z} = \frac{\mathbf L}{\lambda_1}")
-    yield Formal(printed(WITHOUT_G), meaning, (FAST, HORIZONTAL))
-    yield Formal(free, meaning, (FAST,))
+    yield Formal(printed(WITHOUT_G), meaning, (FAST, FORWARD, HORIZONTAL))
+    yield Formal(free, meaning, (FAST, FORWARD))
     yield from evidence.fast_root_is_free()
 
 

@@ -247,12 +247,23 @@ def steady_roots() -> tuple[Expr, Expr]:
     """(Ω₋, Ω₊) for ω₃ > 0, written so that neither cancels for large ω₃ (rad/s).
 
     Ω₋ = 2MgR/(λ₃ω₃ + √D) is regular at cos θ = 0; Ω₊ = (λ₃ω₃ + √D)/(2λ₁ cos θ) is not: there the
-    quadratic has one root only.  For ω₃ < 0 both change sign with ω₃.
+    quadratic has one root only.  For ω₃ < 0 the two change places, so that Ω₋ is the fast
+    one, and λ₃ω₃ + √D cancels: the slow and the fast rate are there minus those at −ω₃.
     """
     quadratic = sympy.Poly(steady_quadratic(), s.Omega)
     a, b, c = quadratic.all_coeffs()
     larger = -b + sympy.sqrt(discriminant())
     return 2 * c / larger, larger / (2 * a)
+
+
+def steady_roots_by_smallness() -> tuple[Expr, Expr]:
+    """(Ω₋, Ω₊) for ω₃ of either sign, with √D = λ₃|ω₃|√(1 − 4ε) (rad/s).
+
+    In Ω₋ what is small for ω₃ > 0 stands alone: |ω₃|(1 − √(1 − 4ε)) is 4ε|ω₃|/(1 + √(1 − 4ε)).
+    """
+    a, b, c = sympy.Poly(steady_quadratic(), s.Omega).all_coeffs()
+    size, root = abs(b), sympy.sqrt(1 - 4 * s.epsilon)
+    return 2 * c / (size * (1 + root)) - (b + size) / (2 * a), (size * root - b) / (2 * a)
 
 
 def smallness() -> Expr:
@@ -262,20 +273,23 @@ def smallness() -> Expr:
 
 
 def leading_roots() -> tuple[Expr, Expr]:
-    """What Ω₋ and Ω₊ tend to for ε → 0: MgR/(λ₃ω₃) and λ₃ω₃/(λ₁ cos θ) (rad/s)."""
+    """The slow and the fast rate for ε → 0, MgR/(λ₃ω₃) and λ₃ω₃/(λ₁ cos θ), of either sign (rad/s).
+
+    For ω₃ > 0 these are Ω₋ and Ω₊, for ω₃ < 0 Ω₊ and Ω₋.
+    """
     a, b, c = sympy.Poly(steady_quadratic(), s.Omega).all_coeffs()
     return -c / b, -b / a
 
 
 def root_factors() -> tuple[Expr, Expr]:
-    """Ω₋ and Ω₊ over what they tend to: 2/(1 + √(1 − 4ε)) and (1 + √(1 − 4ε))/2."""
+    """The rates over those of `leading_roots`: 2/(1 + √(1 − 4ε)) and (1 + √(1 − 4ε))/2."""
     larger = 1 + sympy.sqrt(1 - 4 * s.epsilon)
     return 2 / larger, larger / 2
 
 
 @cache
 def steady_expansions(order: int = 2) -> tuple[Expr, Expr]:
-    """Ω₋ and Ω₊ for large ω₃: power series in ε, `order` terms each (rad/s).
+    """The slow and the fast rate for large |ω₃|: power series in ε, `order` terms each (rad/s).
 
     >>> slow, fast = steady_expansions(1)
     >>> slow, fast

@@ -328,6 +328,31 @@ def test_below_the_threshold_there_is_no_steady_precession(judgements):
     assert abs(roots[0] - roots[1]) < 1e-6 or abs(roots.imag).max() > 0
 
 
+@pytest.mark.parametrize("name", ["two-roots", "slow-agrees"])
+def test_backwards_the_root_with_minus_is_the_fast_one(judgements, name):
+    """The numbers are those of a top that has both rates."""
+    found, at = without(judgements[name], sympy.Gt(s.omega3, 0))
+    lead, spin = at["lambda1"] * np.cos(at["theta"]), at["lambda3"] * at["omega3"]
+    pull = at["M"] * at["g"] * at["R"]
+    root = np.sqrt(spin**2 - 4 * lead * pull)
+    minus, plus = (spin - root) / (2 * lead), (spin + root) / (2 * lead)
+    assert spin < 0
+    assert abs(minus) > abs(plus)
+    if name == "slow-agrees":  # λ₃ω₃Ω₋(1 + √(1 − 4ε)) = 2MgR
+        sides = spin * (1 + root / abs(spin)) * np.array([minus, plus])
+    else:
+        sides = np.array([minus, plus])
+    assert sides == pytest.approx([float(found.left), float(found.right)])
+
+
+def test_backwards_without_weight_the_root_with_plus_is_rest(judgements):
+    found, at = without(judgements["fast-is-free"], sympy.Gt(s.omega3, 0))
+    assert at["omega3"] < 0
+    assert found.left == 0
+    free = at["lambda3"] * at["omega3"] / (at["lambda1"] * np.cos(at["theta"]))
+    assert free == pytest.approx(float(found.right))
+
+
 def test_an_oblate_body_has_no_negative_period(judgements):
     found, at = without(judgements["3.40"], sympy.Gt(s.Omega_b, 0))
     period = float(found.left)

@@ -221,6 +221,26 @@ def test_roots_are_leading_roots_times_functions_of_epsilon():
         assert product == pytest.approx(float(root.subs(values)), rel=1e-13)
 
 
+@pytest.mark.parametrize("omega3", ["17", "-17"])
+def test_roots_by_smallness_have_their_signs_of_the_root_for_either_spin(omega3):
+    values = values_at("0.8", omega3)
+    values[s.epsilon] = forty(top.smallness(), values)
+    lead, spin, pull = (
+        forty(x, values) for x in (s.lambda1 * cos(s.theta), s.lambda3 * s.omega3, s.M * s.g * s.R)
+    )
+    for sign, ours in zip((-1, 1), top.steady_roots_by_smallness(), strict=True):
+        root = (spin + sign * mpmath.sqrt(spin**2 - 4 * lead * pull)) / (2 * lead)
+        assert abs(forty(ours, values) / root - 1) < 1e-12
+
+
+def test_a_top_that_spins_backwards_has_its_roots_exchanged():
+    there, back = ({**values_at("0.8", spin)} for spin in ("17", "-17"))
+    slow, fast = top.steady_roots()
+    assert abs(forty(slow, back) + forty(fast, there)) < 1e-12
+    assert abs(forty(fast, back) + forty(slow, there)) < 1e-12
+    assert abs(forty(slow, back)) > abs(forty(fast, back))
+
+
 def test_size_of_what_is_shipped():
     counted = {side.name: shipped.split(side).rates.operations for side in shipped.SHIPPED}
     assert len(counted) == 7
