@@ -307,6 +307,13 @@ def test_upright_a_constant_theta_leaves_phi_free(judgements):
     assert found.right == 0
 
 
+def test_upright_without_momentum_phi_and_psi_may_turn_against_each_other(judgements):
+    found, at = without(judgements["example-34"], sympy.Ne(sympy.sin(s.theta), 0))
+    assert np.sin(at["theta"]) == 0
+    assert (float(found.left), found.right) == (at["phidot"], 0)
+    assert at["phidot"] != 0
+
+
 def test_a_horizontal_top_has_one_steady_precession(judgements):
     _, at = without(judgements["two-roots"], sympy.Ne(sympy.cos(s.theta), 0))
     assert at["lambda1"] * np.cos(at["theta"]) == pytest.approx(0, abs=1e-15)

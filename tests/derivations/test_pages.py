@@ -129,6 +129,7 @@ DIFFER = {
     "example-33": "the page says it of ζ, the claim of an angle",
     "3.51": "the page has it from (3.52), which divides by it",
     "parallel-approximation": "the page compares terms, the claim divides by them",
+    "example-34": "the page inherits from (3.45) that the axis is tilted",
     "slow-agrees": "the claim multiplies the spin by δ, the page does so in words",
     "fast-is-free": "the page divides by Ω, the claim by cos θ and for ω₃ > 0",
     "nutation": "the page shows the frequency, the claim the sleeping top too",
