@@ -11,6 +11,7 @@ from rigidtop.proof.page import Assumption, Evidence, Formal, Page, Remark, Step
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.lagrangian import cyclic_velocities, energy
+from rigidtop.theory.rotation import Z_AXIS, euler_omega
 from rigidtop.theory.trig import reduce_ratio
 
 from .euler_angles import TILTED
@@ -159,11 +160,11 @@ def friction() -> Iterator[Evidence]:
         "alone"
     )
     yield Formal(
-        printed(r"\boldsymbol\omega\times r_0\hat{\mathbf z} \neq [0, 0, 0]^T"),
-        {s.omega_vec: Matrix([s.omega1, s.omega2, s.omega3]), s.zhat: Matrix([0, 0, 1])},
+        printed(r"(\boldsymbol\omega\times r_0\hat{\mathbf z})^2 \neq 0"),
+        {s.omega_vec: euler_omega("space"), s.zhat: Matrix(Z_AXIS)},
         (
             Assumption(Ne(s.r_t, 0), moves),
-            Assumption(Ne(s.omega1, 0), moves),
+            Assumption(Ne(s.thetadot**2 + s.psidot**2 * sin(s.theta) ** 2, 0), moves),
         ),
     )
     yield Remark(

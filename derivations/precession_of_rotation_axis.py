@@ -176,13 +176,14 @@ def same_frequency() -> Iterator[Evidence]:
     """The parts of $𝐋$ and $𝛚$ across $e₃$ are parallel; the slopes against $e₃$ differ by
     $λ₁/λ₃$."""
     momentum = angular_momentum()
-    meaning = {s.L1: momentum[0], s.L2: momentum[1], s.L3: momentum[2]}
+    meaning = {s.L1: momentum[0], s.L2: momentum[1]}
     yield Formal(printed.lines("same-frequency")[2], meaning, (SYMMETRIC,))
     yield Formal(
-        printed.lines("same-frequency")[6],
-        meaning,
+        printed.lines("same-frequency")[5],
+        {s.omega_vec: Matrix(OMEGA), s.L_vec: momentum},
         (
-            Assumption(Ne(s.omega1, 0), "$𝛚$ is not along $e₃$"),
+            SYMMETRIC,
+            Assumption(Ne(s.omega1**2 + s.omega2**2, 0), "$𝛚$ is not along $e₃$"),
             Assumption(Ne(s.omega3, 0), "$𝛚$ is not at right angles to $e₃$"),
             Assumption(Ne(s.lambda1, s.lambda3), "the third moment differs from the others"),
         ),

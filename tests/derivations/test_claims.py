@@ -314,6 +314,40 @@ def test_upright_without_momentum_phi_and_psi_may_turn_against_each_other(judgem
     assert at["phidot"] != 0
 
 
+def conditions(judged):
+    """What a claim assumes but for equalities."""
+    return {
+        tested.assumption.condition
+        for finding in judged.findings()
+        for tested in finding.assumptions
+        if not isinstance(tested.assumption.condition, sympy.Eq)
+    }
+
+
+def test_omega_may_lean_towards_any_axis_across_e3(judgements):
+    """L along ω takes ω along e₃, and not only no part along e₁."""
+    judged = judgements["same-frequency"]
+    body = {s.lambda1: 1, s.lambda3: 2, s.omega3: 1}
+    for leans in ((1, 0), (0, 1), (1, 1)):
+        at = {**body, s.omega1: leans[0], s.omega2: leans[1]}
+        assert all(condition.subs(at) == sympy.true for condition in conditions(judged))
+        omega = np.array([*leans, 1])
+        assert np.linalg.norm(np.cross(np.array([1, 1, 2]) * omega, omega)) >= 1
+    _, at = without(judged, sympy.Ne(s.omega1**2 + s.omega2**2, 0))
+    assert at["omega1"] == at["omega2"] == 0 != at["omega3"]
+
+
+def test_a_round_tip_that_turns_about_the_vertical_stays(judgements):
+    """ω across ẑ is θ̇ along the line of nodes, and ψ̇ sin θ."""
+    condition = sympy.Ne(s.thetadot**2 + s.psidot**2 * sympy.sin(s.theta) ** 2, 0)
+    assert condition in conditions(judgements["friction"])
+    found, at = without(judgements["friction"], condition)
+    axis = rotation(at["phi"], at["theta"], 0.0)[:, 2]
+    omega = at["psidot"] * axis  # φ̇ is along ẑ
+    assert np.cross(omega, [0, 0, at["r_t"]]) == pytest.approx(np.zeros(3), abs=1e-12)
+    assert (at["thetadot"], float(found.left)) == (0, 0)
+
+
 def test_a_horizontal_top_has_one_steady_precession(judgements):
     _, at = without(judgements["two-roots"], sympy.Ne(sympy.cos(s.theta), 0))
     assert at["lambda1"] * np.cos(at["theta"]) == pytest.approx(0, abs=1e-15)
