@@ -302,17 +302,22 @@ def example_33() -> Iterator[Evidence]:
         (
             Assumption(Gt(s.lambda3, s.lambda1), largest, stated=True),
             Assumption(Gt(s.lambda3, s.lambda2), largest, stated=True),
-            Assumption(Ne(s.omega1, 0), "the rotation is another than about $e₃$", stated=True),
+            Assumption(
+                Ne(s.omega1, 0),
+                "the rotation is another than about $e₃$: along one axis, called $e₁$, it has a "
+                "part",
+                stated=True,
+            ),
         ),
     )
     rate, relative = gyrostat.along_flow(gyrostat.kinetic_energy()), Matrix(gyrostat.RELATIVE)
     yield Formal(lost, {s.T_totdot: rate, s.zeta_vec: relative})
     yield Formal(
         falls,
-        {s.T_totdot: -s.damping * s.delta**2},
+        {s.T_totdot: rate},
         (
             Assumption(Gt(s.damping, 0), "energy is lost inside the body"),
-            Assumption(Ne(s.delta, 0), "the ball turns in the body", stated=True),
+            Assumption(Gt(relative.dot(relative), 0), "the ball turns in the body", stated=True),
         ),
     )
 

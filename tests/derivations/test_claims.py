@@ -337,6 +337,22 @@ def test_omega_may_lean_towards_any_axis_across_e3(judgements):
     assert at["omega1"] == at["omega2"] == 0 != at["omega3"]
 
 
+def test_a_ball_that_rests_in_the_body_loses_nothing(judgements):
+    turning = sympy.Gt(s.zeta1**2 + s.zeta2**2 + s.zeta3**2, 0)
+    found, at = without(judgements["example-33"], turning)
+    assert at["damping"] > 0
+    assert (at["zeta1"], at["zeta2"], at["zeta3"]) == (0, 0, 0)
+    assert found.left == found.right == 0
+
+
+def test_another_rotation_than_about_e3_has_energy_to_lose(judgements):
+    """Without a part along e₁, and none along e₂ either, the energy is the least."""
+    found, at = without(judgements["example-33"], sympy.Ne(s.omega1, 0))
+    assert at["omega1"] == at["omega2"] == 0 != at["omega3"]
+    least = at["lambda3"] * at["omega3"] ** 2 / 2
+    assert (float(found.left), float(found.right)) == (least, least)
+
+
 def test_a_round_tip_that_turns_about_the_vertical_stays(judgements):
     """ω across ẑ is θ̇ along the line of nodes, and ψ̇ sin θ."""
     condition = sympy.Ne(s.thetadot**2 + s.psidot**2 * sympy.sin(s.theta) ** 2, 0)

@@ -126,7 +126,6 @@ DIFFER = {
     "two-mass-points": "the page speaks of the general tilt, the claim of its exceptions",
     "principal-axes": "the page: for two moments that differ, orthogonality is to be shown",
     "space-cone": "the page takes positive roots; the claim says that ω is off the axis",
-    "example-33": "the page says it of ζ, the claim of an angle",
     "3.51": "the page has it from (3.52), which divides by it",
     "parallel-approximation": "the page compares terms, the claim divides by them",
     "example-34": "the page inherits from (3.45) that the axis is tilted",
