@@ -303,9 +303,8 @@ def example_33() -> Iterator[Evidence]:
             Assumption(Gt(s.lambda3, s.lambda1), largest, stated=True),
             Assumption(Gt(s.lambda3, s.lambda2), largest, stated=True),
             Assumption(
-                Ne(s.omega1, 0),
-                "the rotation is another than about $e₃$: along one axis, called $e₁$, it has a "
-                "part",
+                Gt(s.omega1**2 + s.omega2**2, 0),
+                "the rotation is another than about $e₃$",
                 stated=True,
             ),
         ),

@@ -94,11 +94,20 @@ def _base_sign(base: Expr, conditions: Sequence[Relational]) -> int:
     if isinstance(base, sympy.Add):
         for sign in (1, -1):
             terms = [sign * term for term in _grouped(base)]
-            if all(_at_least_zero(t, conditions) for t in terms) and any(
-                t.is_positive or _sign(reduce_ratio(t), conditions) == 1 for t in terms
+            if all(_at_least_zero(t, conditions) for t in terms) and (
+                any(t.is_positive or _sign(reduce_ratio(t), conditions) == 1 for t in terms)
+                or any(_has_parts(terms, fact, conditions) for fact in _facts(conditions))
             ):
                 return sign
     return 0
+
+
+def _has_parts(terms: Sequence[Expr], fact: Expr, conditions: Sequence[Relational]) -> bool:
+    """Whether terms are positive multiples of all parts of a positive sum, of which one is too."""
+    return all(
+        any(_sign(reduce_ratio(term / part), conditions) == 1 for term in terms)
+        for part in sympy.Add.make_args(fact)
+    )
 
 
 def _grouped(total: Expr) -> list[Expr]:

@@ -347,7 +347,10 @@ def _against_conditions(
     """Which condition does not hold with these values, or nothing."""
     there = Algebra(letters, values)
     positive = [there.value(c.expression) for c in conditions if c.relation == ">"]
-    if any(flattened(value)[0].is_nonpositive for value in positive):
+    weak = [there.value(c.expression) for c in conditions if c.relation == "≥"]
+    if any(flattened(value)[0].is_nonpositive for value in positive) or any(
+        flattened(value)[0].is_negative for value in weak
+    ):
         return _AGAINST
     for condition in conditions:
         if condition.relation in ("≠", ">") and {*values} & {*atoms_of(condition.expression)}:

@@ -346,8 +346,8 @@ def test_a_ball_that_rests_in_the_body_loses_nothing(judgements):
 
 
 def test_another_rotation_than_about_e3_has_energy_to_lose(judgements):
-    """Without a part along e₁, and none along e₂ either, the energy is the least."""
-    found, at = without(judgements["example-33"], sympy.Ne(s.omega1, 0))
+    """Without a part along e₁ or e₂ the energy is the least."""
+    found, at = without(judgements["example-33"], s.omega1**2 + s.omega2**2 > 0)
     assert at["omega1"] == at["omega2"] == 0 != at["omega3"]
     least = at["lambda3"] * at["omega3"] ** 2 / 2
     assert (float(found.left), float(found.right)) == (least, least)

@@ -231,6 +231,31 @@ FOLLOWS = {
         "Rewrite the product => x = 2y",
         "",
     ),
+    "a root whose sign a condition says": (
+        r"energy: f = \tfrac12m\dot x^2 + \tfrac12kx^2",
+        r"Solve the energy for $\dot x$, for $\dot x > 0$ => \dot x = \sqrt{\frac{2f - kx^2}m}",
+        "ẋ > 0",
+    ),
+    "an integral with the time in it": (
+        r"~ growth: \frac{\dot y}y = \omega",
+        r"Integrate the growth from $y = a$ => \ln y = \omega t + \ln a",
+        "y − a = 0 at the start",
+    ),
+    "an inequality turned round": (
+        "bound: u > v",
+        "Multiply the bound by $-2$ => -2u < -2v",
+        "",
+    ),
+    "a tangent, as far as a quarter turn": (
+        r"~ push: \dot u = \omega(1 + u^2)",
+        r"Integrate the push from $u = 0$ => u = \tan\omega t",
+        "½π − ωt > 0",
+    ),
+    "a root squared": (
+        r"root: \sqrt u = v",
+        "Square the root => u = v^2",
+        "v ≥ 0",
+    ),
     "a start that is set": (
         r"""momentum: s = mr^2\dot\phi
         ~ rest: \dot s = 0""",
@@ -402,6 +427,84 @@ FALLS = {
         "copy: y = x",
         r"Rewrite the copy => y = (1 + 10^{-13})x",
         "does not arrive",
+    ),
+    "a power of which the exponent is not known": (
+        "power: y = x^n",
+        r"Expand the power to fourth order in $x$ => y \approx 0",
+        "no order in x is known",
+    ),
+    "a growth beside a power": (
+        r"sum: y = \cosh x + x",
+        r"Neglect $\cosh x$ in the sum, for large $x$ => y \approx x",
+        "is no power of x",
+    ),
+    "what is large is set": (
+        "line: y = a - bx",
+        r"""Neglect $a$ in the line, for large $x$ => y \approx -bx
+        Set $x = \frac ab$ in it => y \approx -a""",
+        "x is large in",
+    ),
+    "nothing, divided by what is as small": (
+        r"gap: f = 1 - \cos x",
+        r"""Expand the gap to first order in $x$ => f \approx 0
+        Divide it by $x^2$ => \frac f{x^2} \approx 0""",
+        "the error is as large as what stands there",
+    ),
+    "a small letter that stands for one over a kept one": (
+        r"""share: \varepsilon = \frac1S
+        one: y = 1 + \varepsilon S""",
+        r"Expand the one to zeroth order in $\varepsilon$ => y \approx 1",
+        "what is left out is not small beside",
+    ),
+    "small letters that a product ties": (
+        r"""product: \delta\eta = a
+        sum: y = b + \delta\eta""",
+        r"Expand the sum to zeroth order in $\delta$ => y \approx b",
+        "what is left out is not small beside",
+    ),
+    "a time through a pole of the rate": (
+        r"~ rate: \dot x = \frac{ka}x",
+        r"Integrate the rate from $x = -a$ to $x = 2a$ => t = \frac{3a}{2k}",
+        "rests, turns back or goes the other way",
+    ),
+    "a tangent beyond a quarter turn": (
+        r"~ push: \dot u = \omega(1 + u^2)",
+        r"""Integrate the push from $u = 0$ => u = \tan\omega t
+        Set $t = \frac\pi\omega$ in it => u = 0""",
+        "this can't hold",
+    ),
+    "a rate where a letter is held": (
+        r"~ growth: \dot y = ky",
+        r"Set $y = h$ at all times in the growth => \dot y = kh",
+        "stands there still",
+    ),
+    "set to what a law denies": (
+        """zero: x = 0
+        line: u = x + b""",
+        "Set $x = a$ in the line, with the zero => u = a + b",
+        "x is set to a, and what is cited says 0",
+    ),
+    "two laws that can't both hold": (
+        """bad: x = y
+        worse: y = x + 1""",
+        "Subtract the bad from the worse => y - x = x + 1 - y",
+        "this can't hold",
+    ),
+    "a negative square of a vector": (
+        r"""square: \mathbf p\cdot\mathbf p = -a
+        push: \mathbf F = k\mathbf p""",
+        r"Square the push, with the square => \mathbf F\cdot\mathbf F = -k^2a",
+        "this can't hold",
+    ),
+    "a root of what is negative": (
+        r"root: y = \sqrt x",
+        r"Set $x = -1$ in the root => y = 1",
+        "of what is negative",
+    ),
+    "constancy called for": (
+        "line: y = ax",
+        r"Call the constant => S = \text{const}",
+        "not known to be constant",
     ),
     "a component differs": (
         r"push: \mathbf F = m\mathbf v + k\mathbf p",

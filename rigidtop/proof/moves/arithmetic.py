@@ -6,13 +6,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 
-from sympy import Expr, Integer, MatrixBase, Symbol
+from sympy import Abs, Expr, Integer, MatrixBase, Pow, Rational, Symbol
 
 from rigidtop.proof import bounds
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation, SumOver, VolumeIntegral, as_printed
 from rigidtop.proof.moves.conditions import divided_by, flat_with
 from rigidtop.proof.moves.move import (
+    Condition,
     Known,
     Move,
     Order,
@@ -237,4 +238,17 @@ def square(move: Move, algebra: Algebra) -> Performed:
         sides = [v for p in all_pairs(known, algebra) for v in p.sides]
         lowest = min((order.lowest(x) for side in sides for x in scalars(side)), default=0)
         order = replace(order, power=order.power + min(0, lowest))
-    return replace(mapped(move, algebra, squared), order=order)
+    made = replace(mapped(move, algebra, squared), order=order)
+    return replace(made, conditions=_of_roots(all_pairs(known, algebra)))
+
+
+def _of_roots(pairs: Sequence[Pair]) -> tuple[Condition, ...]:
+    """That what equals a root, or a size, is not negative: a square does not tell."""
+    conditions = []
+    for pair in pairs if len(pairs) == 1 else ():
+        for side, other in (pair.sides, pair.sides[::-1]):
+            is_root = isinstance(side, Pow) and side.exp == Rational(1, 2)
+            scalar = isinstance(other, Expr) and other.is_commutative
+            if (is_root or isinstance(side, Abs)) and scalar and not other.is_nonnegative:
+                conditions.append(Condition(other, "≥"))
+    return tuple(conditions)

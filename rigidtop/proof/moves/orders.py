@@ -71,7 +71,7 @@ def expand(move: Move, algebra: Algebra) -> Performed:
         nothing_hidden(flat, known, move.by, algebra.letters)
         made = _series(counted, order)
         for x in move.by:
-            _kept_is_larger(flat, made.subs(SMALL, 1), x, move.by, letters)
+            _kept_is_larger(flat, made.subs(SMALL, 1), x, move, letters)
         return (made.subs(SMALL, 1) if together else made).xreplace(nodes)
 
     pairs = [Pair(pair.left, series(pair.right), "≈") for pair in said_pairs(known, algebra)]
@@ -106,10 +106,10 @@ DEPTHS = (10, 12)
 """What is small is 10⁻¹⁰ and 10⁻¹² where its share is looked for."""
 
 
-def _kept_is_larger(
-    whole: Expr, kept: Expr, small: Symbol, together: Sequence[Expr], letters: Letters
-) -> None:
+def _kept_is_larger(whole: Expr, kept: Expr, small: Symbol, move: Move, letters: Letters) -> None:
     """Raises RefusedError unless what is left out vanishes beside each term that is kept.
+
+    `small` is large instead where what is left out is small for a large one.
 
     A letter that stands for a ratio, such as ε, becomes small by one of those in it, whichever
     that is: where another term has them too, that becomes small, or large, as well.
@@ -121,7 +121,9 @@ def _kept_is_larger(
             for solution in _solutions(relation, x):
                 for term in Add.make_args(sympy.expand(kept)):
                     ratio = ((whole - kept) / term).xreplace({x: solution})
-                    far, near = (_share(ratio, together, n) for n in DEPTHS)
+                    together = (small,) if move.verb == "neglect" else move.by
+                    sign = -1 if move.verb == "neglect" and move.power > 0 else 1
+                    far, near = (_share(ratio, together, sign * n) for n in DEPTHS)
                     if not near < far / 2:
                         raise RefusedError(
                             "with {} = 0 what is left out is not small beside {}", relation, term
@@ -143,7 +145,7 @@ def _share(ratio: Expr, small: Sequence[Expr], n: int) -> Any:
     """The size of a ratio at a point, where the letters that are small are 10⁻ⁿ."""
     point = {y: sympy.Rational(floats.somewhere(y, 0)) for y in ratio.free_symbols}
     point |= dict.fromkeys(small, sympy.Rational(10) ** -n)
-    return abs(sympy.N(ratio.xreplace(point), 5 * n, maxn=20 * n))
+    return abs(sympy.N(ratio.xreplace(point), 5 * abs(n), maxn=20 * abs(n)))
 
 
 def _series(counted: Expr, order: Order) -> Expr:
@@ -190,6 +192,8 @@ def neglect(move: Move, algebra: Algebra) -> Performed:
                 if all(vanishes(part) for part in components(rest, Integer(0))):
                     raise RefusedError("nothing is left of a side: what is larger has to stay")
                 conditions += _outweighed(left_out, rest, move, algebra.letters)
+                for whole, kept in zip(scalars(side), scalars(rest), strict=False):
+                    _kept_is_larger(whole, kept, move.by[-1], move, algebra.letters)
                 sides = (rest, pair.right) if k == 0 else (pair.left, rest)
                 pairs.append(Pair(*sides, "≈"))
     if not pairs:
