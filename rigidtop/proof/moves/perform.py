@@ -35,6 +35,7 @@ from rigidtop.proof.moves.move import (
 from rigidtop.proof.moves.orders import NEGLECTED, OF_NO_ORDER
 from rigidtop.proof.moves.pairs import (
     at_right_angles,
+    is_operator,
     nodes_of,
     put_in,
     scalars,
@@ -101,11 +102,10 @@ def _with(made: Performed, move: Move, letters: Letters) -> Performed:
             _reaches_into(each, made.pairs, letters)
     given = put_in(move.using, letters)
     for atom in {*given} & {*made.given}:
-        apart = tree(given[atom]) - tree(made.given[atom])
-        if atom not in letters.vectors and nonzero(apart, ()):
-            raise RefusedError(
-                "{} is set to {}, and what is cited says {}", atom, made.given[atom], given[atom]
-            )
+        values = made.given[atom], given[atom]
+        scalar = not any(is_operator(x) or isinstance(x, Vector) for x in values)
+        if scalar and nonzero(values[0] - values[1], ()):
+            raise RefusedError("{} is set to {}, and what is cited says {}", atom, *values)
     # What is set is set in what is put in as well; at a moment it says nothing of a rate.
     there = Algebra(letters, made.given)
     for old, new in given.items():

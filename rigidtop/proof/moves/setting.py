@@ -21,7 +21,14 @@ from rigidtop.proof.moves.move import (
     name_of,
     the_one,
 )
-from rigidtop.proof.moves.pairs import all_pairs, at_right_angles, atom_of, nodes_of, put_in
+from rigidtop.proof.moves.pairs import (
+    all_pairs,
+    at_right_angles,
+    atom_of,
+    is_operator,
+    nodes_of,
+    put_in,
+)
 from rigidtop.proof.values import TIME, Value, Vector, agree, atoms_of, tree, vanishes
 
 
@@ -40,7 +47,7 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
             raise RefusedError("{} is a unit vector", atom)
     _small_stays(given, known)
     for atom, value in given.items():
-        if at_right_angles(tree(value) - atom, letters):
+        if isinstance(value, Vector) and at_right_angles(tree(value) - atom, letters):
             raise RefusedError("{} and {} are axes of one frame, at right angles", atom, value)
     at_start = move.power == 2
     always = move.power == 1 or all(
@@ -66,8 +73,9 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
         return Performed(tuple(pairs), Scope.MOTION, tuple(premises))
     scope = known.scope if always and not move.power else Scope.MOTION if always else Scope.SET
     conditions = tuple(
-        Condition(tree(algebra.value(e.sides[0])) - tree(algebra.value(e.sides[1])), "=")
-        for e in move.by
+        Condition(tree(left) - tree(right), "=")
+        for left, right in (map(algebra.value, e.sides) for e in move.by)
+        if not (is_operator(left) or is_operator(right))
     )
     tied = frozenset(x for x in _letters_of(given) if x in letters.numbers)
     return Performed(tuple(pairs), scope, conditions, known.order, given, tied=tied)
