@@ -95,7 +95,7 @@ def _lines(
     lecture: Lecture, pages: Sequence[Text], notation: Notation, options: argparse.Namespace
 ) -> int:
     """Print the verdict on every line of some pages; 0 if all follow and nothing else is wrong."""
-    from rigidtop.report.ways import line_records
+    from rigidtop.report.lines import line_records
     from rigidtop.terminal.table import table, wants_color
 
     records = line_records(lecture, pages, notation)

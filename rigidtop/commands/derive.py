@@ -55,8 +55,8 @@ def run(options: argparse.Namespace) -> int:
 
 def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
     from rigidtop.report.lecture import fragment
+    from rigidtop.report.lines import way_record
     from rigidtop.report.records import record
-    from rigidtop.report.ways import way_record
     from rigidtop.report.wording import Wording
 
     notation = chosen(options)

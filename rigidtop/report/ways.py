@@ -17,7 +17,7 @@ from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.lecture import Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.letters import Letters
-from rigidtop.proof.moves import NEGLECTED, Condition, Known
+from rigidtop.proof.moves import Condition
 from rigidtop.proof.trial import diagnose
 from rigidtop.proof.units import UnitsError
 from rigidtop.proof.values import tree
@@ -27,7 +27,6 @@ from rigidtop.report import blocks as b
 from rigidtop.report import languages, plain
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.wording import Wording
-from rigidtop.typeset.latex import latex
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Letter, Node
 from rigidtop.typeset.text import text
@@ -412,96 +411,3 @@ def _listed(names: Sequence[b.Rich]) -> b.Rich:
         between = "" if k == 0 else " and " if k == len(names) - 1 else ", "
         made += [between, *name] if between else name
     return tuple(made)
-
-
-Record = dict[str, object]
-"""A line for programs."""
-
-
-def steps(
-    lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
-) -> list[dict[str, object]]:
-    """The lines as records for programs."""
-    return [step(lecture, id, notation) for id in lecture.way(name, deep)[0]]
-
-
-def step(lecture: Lecture, id: str, notation: Notation = NOTES) -> dict[str, object]:
-    """A line as a record for programs."""
-    each = lecture.judged(id)
-    equations = [notation.written(equation) for equation in each.line.equations]
-    return {
-        "id": id,
-        "equation": "; ".join(text(equation) for equation in equations),
-        "latex": r",\quad ".join(latex(equation) for equation in equations),
-        "move": " ".join(each.line.sentence.split()).rstrip(":"),
-        "from": list(lecture.cites(id)),
-        "conditions": conditions(each.known, notation),
-        "verdict": _verdict(each),
-    }
-
-
-def conditions(known: Known, notation: Notation = NOTES) -> list[str]:
-    """What an equation holds under, and the order of what is left out of it, as text."""
-    made = []
-    for condition in known.conditions:
-        if condition.relation in ("large", "small"):
-            made.append(f"{text(notation.written(condition.expression))} {condition.relation}")
-            continue
-        when = " at the start" if condition.relation == "start" else ""
-        made.append(text(relation(condition, notation)) + when)
-    order = known.order
-    if order is not None and order.small != NEGLECTED:
-        for x in order.together or (order.small,):
-            said, error = (text(notation.written(each)) for each in (x, x**order.power))
-            made.append(f"{said} small, with an error of order O({error})")
-    return made
-
-
-def way_record(
-    lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
-) -> tuple[list[dict[str, Any]], list[str]]:
-    """The lines to what a name names, and what they rest on; nothing where there are no lines."""
-    if name not in lecture.names:
-        return [], []
-    starts = lecture.way(name, deep)[1]
-    names = [plain.rich(called(lecture.lines[id], notation)) for id in starts]
-    return steps(lecture, name, notation, deep), names
-
-
-def _verdict(judged: Judged) -> str:
-    if not judged.follows:
-        return "gap"
-    move = judged.line.move
-    return "definition" if move is None or move.verb == "call" else "follows"
-
-
-def line_records(lecture: Lecture, texts: Iterable[Text], notation: Notation) -> list[Record]:
-    """What `rigidtop check --lines --json` says: an object for every display of some pages.
-
-    `line` is where the display begins in its `file`.  A fault of a page is an object too, without
-    an `id`.
-    """
-    faults = [*lecture.faults()]
-    made: list[Record] = []
-    for page in texts:
-        for shown in page.shown:
-            row: Record = {"file": page.file, "line": shown.at}
-            if shown.line is None:
-                more = {"id": "", "verdict": "unread", "conditions": [], "note": shown.problem}
-            else:
-                judged = lecture.judged(shown.line.id)
-                more = {
-                    "id": shown.line.id,
-                    "verdict": "premise"
-                    if shown.line.move is None and judged.follows
-                    else _verdict(judged),
-                    "conditions": conditions(judged.known, notation),
-                    "note": "" if judged.follows else reason(judged, lecture.letters, notation),
-                }
-            made.append(row | more)
-        made += [
-            {"file": file, "line": at, "id": "", "verdict": "fault", "conditions": [], "note": why}
-            for file, at, why in faults
-            if file == page.file
-        ]
-    return made

@@ -25,7 +25,8 @@ from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.proof.values import TIME
 from rigidtop.report import html, plain, tex
 from rigidtop.report.blocks import Display
-from rigidtop.report.ways import gap, step, text_blocks
+from rigidtop.report.lines import step
+from rigidtop.report.ways import gap, text_blocks
 from rigidtop.system.derived import Derived
 from rigidtop.system.forms import parts_of, short
 from rigidtop.system.names import lettered, own_functions

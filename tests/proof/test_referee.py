@@ -13,7 +13,8 @@ from rigidtop.collection import letters_of
 from rigidtop.notation import Notation
 from rigidtop.proof.lecture import Lecture
 from rigidtop.read.page import read_lecture
-from rigidtop.report.ways import conditions, reason
+from rigidtop.report.lines import conditions
+from rigidtop.report.ways import reason
 from rigidtop.theory import symbols
 from rigidtop.theory.lettered import in_order, positive, real
 from rigidtop.theory.symbols import Glyph

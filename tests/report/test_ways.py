@@ -7,7 +7,8 @@ import pytest
 from rigidtop.derivations import lecture
 from rigidtop.notation import NOTES, named
 from rigidtop.report import html, plain, tex, typst
-from rigidtop.report.ways import line_rows, steps, text_blocks, way_blocks
+from rigidtop.report.lines import steps
+from rigidtop.report.ways import line_rows, text_blocks, way_blocks
 
 LECTURE = lecture()
 
