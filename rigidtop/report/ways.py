@@ -388,7 +388,11 @@ def reason(judged: Judged, letters: Letters, notation: Notation = NOTES) -> str:
     assert problem is not None
 
     def said(node: Any) -> str:
-        return text(notation.written(node if isinstance(node, Equation) else tree(node)))
+        shown = node if isinstance(node, Equation) else tree(node)
+        try:
+            return text(notation.written(shown))
+        except TypeError:  # what has no layout is told all the same: a page has more lines
+            return str(shown)
 
     why = problem.words(said)
     if line.move is None or line.move.verb == "call" or isinstance(problem, UnitsError):

@@ -539,3 +539,12 @@ def test_what_breaks_in_one_line_is_said_there_and_judged_beside_it(monkeypatch)
         "rigidtop breaks here, please report it: ZeroDivisionError: by zero"
     )
     assert double.follows
+
+
+def test_what_has_no_layout_is_told_all_the_same(monkeypatch) -> None:
+    def text(_: object) -> str:
+        raise TypeError("no layout")
+
+    monkeypatch.setattr("rigidtop.report.ways.text", text)
+    why, _ = last("copy: y = x", "Multiply the copy by $2$ => 2y = 3x")
+    assert why.startswith("the move does not arrive here: it gives Equation(")
