@@ -296,9 +296,17 @@ def _matching(pair: Pair, performed: Performed, move: Move) -> int | None:
 
 
 def _same_side(pair: Pair, made: Pair) -> bool:
-    """Whether two pairs have a side in common that is not 0, as it is written."""
-    sides = [{str(tree(side)) for side in each.sides} - {"0"} for each in (pair, made)]
-    return not sides[0].isdisjoint(sides[1])
+    """Whether two pairs have a side in common that is not 0."""
+    return any(_is_alike(one, other) for one in pair.sides for other in made.sides)
+
+
+def _is_alike(one: Value, other: Value) -> bool:
+    """Whether two values are the same as they are written, and not 0."""
+    if isinstance(one, Vector) and isinstance(other, Vector):
+        return bool(one.terms) and dict(one.terms) == dict(other.terms)
+    if isinstance(one, Vector) or isinstance(other, Vector):
+        return False
+    return bool(one == other and one != 0)
 
 
 def _is_identity(pair: Pair, move: Move) -> bool:
