@@ -8,7 +8,7 @@ higher power is left.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
+from functools import lru_cache, reduce
 from math import prod
 from operator import itemgetter
 
@@ -68,7 +68,7 @@ class Polynomial:
         """
         found = []
         for element, power in filter(itemgetter(1), self._ratio()):
-            number, factors = element.factor_list()
+            number, factors = _factored(element)
             found.append((self._ring.domain.to_sympy(number), power))
             found += [(self._expression(factor), power * n) for factor, n in factors]
         return [(base, power) for base, power in found if base != 1]
@@ -161,12 +161,44 @@ class Polynomial:
         self, terms: PolyElement, k: int, instead: Callable[[int], PolyElement]
     ) -> PolyElement:
         """With something else instead of each power of a generator."""
-        parts: dict[int, dict[tuple[int, ...], object]] = {}
-        for powers, number in terms.items():
-            rest = (*powers[:k], 0, *powers[k + 1 :])
-            parts.setdefault(powers[k], {})[rest] = number
-        made = (self._ring.from_dict(part) * instead(n) for n, part in parts.items())
+        made = (part * instead(n) for n, part in _coefficients(terms, k).items())
         return sum(made, self._ring.zero)
+
+
+def _factored(element: PolyElement) -> tuple[object, list[tuple[PolyElement, int]]]:
+    """The number in it, and its irreducible factors with their powers.
+
+    `PolyElement.factor_list` looks for the factors at a point that it draws, and with an unlucky
+    one a polynomial in 16 generators takes it hours.  Here it is asked last: nearly all of ours
+    have a generator in its first power alone, and what has no factor without it is irreducible.
+    """
+    number, element = element.primitive()
+    if element.LC < 0:
+        number, element = -number, -element
+    for k, degree in sorted(enumerate(element.degrees()), key=itemgetter(1)):
+        common = (
+            reduce(PolyElement.gcd, _coefficients(element, k).values())
+            if degree > 0
+            else element.ring.one
+        )
+        if not common.is_ground:
+            outer, rest = _factored(common), _factored(element.exquo(common))
+            powers: dict[PolyElement, int] = {}
+            for factor, power in (*outer[1], *rest[1]):
+                powers[factor] = powers.get(factor, 0) + power
+            return number * outer[0] * rest[0], list(powers.items())
+        if degree == 1:
+            return number, [(element, 1)]
+    inner, factors = element.factor_list()
+    return number * inner, factors
+
+
+def _coefficients(element: PolyElement, k: int) -> dict[int, PolyElement]:
+    """What stands with each power of a generator."""
+    parts: dict[int, dict[tuple[int, ...], object]] = {}
+    for powers, number in element.items():
+        parts.setdefault(powers[k], {})[(*powers[:k], 0, *powers[k + 1 :])] = number
+    return {n: element.ring.from_dict(part) for n, part in parts.items()}
 
 
 @lru_cache(maxsize=CACHED)
