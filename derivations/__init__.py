@@ -64,6 +64,11 @@ def lecture() -> Lecture:
 
 def lecture_with(exercises: Sequence[str]) -> Lecture:
     """The lecture with the solutions of exercises, named as in `Exercise.text`, behind it."""
+    return _lecture_with(tuple(exercises))
+
+
+@cache
+def _lecture_with(exercises: tuple[str, ...]) -> Lecture:
     return read_exercises(_sources(exercises), lecture(), NOTES)
 
 

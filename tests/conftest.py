@@ -1,5 +1,6 @@
 """Times are measured by the benchmarks, never by a test; draws are the same in every run."""
 
+import signal
 from dataclasses import replace
 
 import pytest
@@ -13,6 +14,35 @@ settings.load_profile("same")
 
 # Programs: what they need is long to load, and they have no examples in their words.
 collect_ignore = ["benchmarks", "motion/reference"]
+
+LONGEST = 240
+"""Seconds; a test that has not ended by then fails."""
+
+
+class Endless(BaseException):
+    """No Exception, so that neither what is tested nor Hypothesis takes it for its own."""
+
+
+class Alarm:
+    """Ends what hangs, in the doctests too, which no fixture of this folder reaches."""
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item):
+        def ring(number, frame):
+            raise Endless(f"no end after {LONGEST} s")
+
+        before = signal.signal(signal.SIGALRM, ring)
+        signal.setitimer(signal.ITIMER_REAL, LONGEST)
+        try:
+            return (yield)
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
+
+
+def pytest_configure(config):
+    if hasattr(signal, "setitimer"):
+        config.pluginmanager.register(Alarm())
 
 
 @pytest.fixture(scope="session")

@@ -79,14 +79,14 @@ def test_a_failed_check_exits_with_1(
         yield Check(Equation(sin(theta), cos(theta)))
 
     monkeypatch.setattr(derivations, "PAGES", (Page("9", "Broken", "A false claim.", (broken,)),))
-    assert main(["check"]) == 1
+    assert main(["check", "broken"]) == 1
     out = capsys.readouterr().out
     note = (
         "it fails, and no corrected form stands beside it; "
         "at θ = ⅓π: the left side is ½√3, the right side ½"
     )
     assert note in " ".join(out.split())
-    assert main(["check", "--json"]) == 1
+    assert main(["check", "broken", "--json"]) == 1
     [record] = json.loads(capsys.readouterr().out)
     assert record["note"] == note
     assert out.endswith("1 claim: 1 false; NOT PASSED: broken\n")

@@ -268,11 +268,10 @@ def _contradiction(
         ]
         for backwards in (False, True) if any(c.relation == "=" for c in conditions) else (False,):
             values = _settled(performed, resting, letters, backwards)
+            given = {*values} | letters.unit_vectors
             for _, equation in resting:
                 # Where a letter is left that nothing gives, no number comes of it.
-                if symbols_of(equation) <= {*values} | letters.unit_vectors and _is_false(
-                    equation, values, letters
-                ):
+                if symbols_of(equation) <= given and _is_false(equation, values, letters):
                     return _AGAINST
             if against := _against_conditions(conditions, values, letters):
                 return against

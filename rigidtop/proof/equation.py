@@ -18,6 +18,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
+from functools import cached_property
 from operator import add, mul
 from typing import Any, TypeAlias
 
@@ -134,6 +135,11 @@ class Equation:
         object.__setattr__(self, "relation", relation)
         object.__setattr__(self, "tag", tag)
 
+    @cached_property
+    def symbols(self) -> frozenset[Symbol]:
+        """The free symbols of all sides."""
+        return frozenset().union(*(side.free_symbols for side in self.sides))
+
 
 Meaning = Mapping[Expr, Side]
 
@@ -189,6 +195,6 @@ def _fold(parts: list[Expr | MatrixBase], join: Callable[[Any, Any], Any]) -> Ex
     return total
 
 
-def symbols_of(equation: Equation) -> set[Symbol]:
+def symbols_of(equation: Equation) -> frozenset[Symbol]:
     """The free symbols of all sides."""
-    return set().union(*(side.free_symbols for side in equation.sides))
+    return equation.symbols

@@ -44,7 +44,6 @@ def test_help(printed, command):
     "asked",
     [
         "list",
-        "map",
         "map 3.57",
         "notation",
         "exercise",

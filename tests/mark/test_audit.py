@@ -127,19 +127,19 @@ OPEN = {f"3.{n}" for n in (33, 35, 40, 41, 42, 44, 51, 52, 53, 54, 55, 57)}
 """Equations of which one change may come back undecided or unread."""
 
 
-def half(number):
-    """Every second change."""
-    return islice(changed(number), 0, None, 2)
+def some(number):
+    """Every fourth change."""
+    return islice(changed(number), 0, None, 4)
 
 
 def test_nearly_all_changes_are_found_false():
-    assert 10 * len(OPEN) < sum(1 for number in NUMBERS for _ in half(number))
+    assert 5 * len(OPEN) < sum(1 for number in NUMBERS for _ in some(number))
 
 
 @pytest.mark.parametrize("number", NUMBERS)
 def test_a_change_is_told_at_its_equation_and_nowhere_else(number, memo, unchanged):
     left = 0
-    for change, text in half(number):
+    for change, text in some(number):
         found = audit(text, PAGES, memo=memo)
         assert [each.number for each in found] == NUMBERS, change
         for new, old in zip(found, unchanged, strict=True):

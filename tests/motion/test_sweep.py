@@ -573,7 +573,7 @@ def test_a_pool_that_breaks_can_be_resumed_from(tmp_path):
 def test_a_worker_of_a_cluster_is_killed_and_nothing_is_lost(tmp_path):
     from distributed import Client, LocalCluster
 
-    sweep = Sweep("phi", {"omega3": Span(1, 60, 400), "phi_dot": Span(-5, 5, 1500)}, TOP | {"t": 2})
+    sweep = Sweep("phi", {"omega3": Span(1, 60, 200), "phi_dot": Span(-5, 5, 750)}, TOP | {"t": 2})
     killed, seen = [], []
     with (
         LocalCluster(
@@ -592,14 +592,14 @@ def test_a_worker_of_a_cluster_is_killed_and_nothing_is_lost(tmp_path):
                 killed.append((pid, len(keys)))
 
         found = run(
-            sweep, tmp_path / "map.npy", client.get_executor(), block_size=4000, progress=progress
+            sweep, tmp_path / "map.npy", client.get_executor(), block_size=1000, progress=progress
         )
         left = set(client.run(os.getpid).values())
     [(pid, waiting)] = killed
     assert waiting > 0
     assert pid not in left
-    assert seen == list(range(0, 600_001, 4000))
-    assert np.array_equal(found.values.ravel(), in_blocks(sweep, 4000))
+    assert seen == list(range(0, 150_001, 1000))
+    assert np.array_equal(found.values.ravel(), in_blocks(sweep, 1000))
 
 
 def test_the_failure_is_one_line(tmp_path):

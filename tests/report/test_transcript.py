@@ -14,7 +14,7 @@ from rigidtop.report.transcript import transcript
 from rigidtop.typeset.mathml import THIN
 
 DOT = '<mo scriptlevel="0">˙</mo>'
-AUTHORS = sorted((Path(__file__).parents[1] / "mark" / "authors").iterdir())
+AUTHORS = sorted((Path(__file__).parents[1] / "judge" / "authors").iterdir())
 
 
 def inside(source, macros=""):
