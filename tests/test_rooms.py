@@ -13,7 +13,7 @@ DERIVATIONS = PACKAGE.parent / "derivations"
 
 ORDER = (
     *("errors", "trace", "parameters", "terminal"),
-    *("theory", "proof", "notation", "typeset", "read", "codegen"),
+    *("theory", "proof", "notation", "tree", "typeset", "read", "judge", "codegen"),
     *("motion", "elliptic", "referee"),
     *("derivations", "figures", "report", "system", "mark", "bench", "starter"),
     *("collection", "web", "commands", "cli", "__init__", "__main__"),
@@ -32,6 +32,8 @@ FORBIDDEN = {
     "errors": SYMBOLIC | NUMERIC,
     "theory": NUMERIC,
     "proof": NUMERIC,
+    "tree": SYMBOLIC | NUMERIC,
+    "judge": {"scipy", "matplotlib"},
     "typeset": NUMERIC,
     "motion": SYMBOLIC | {"matplotlib"},
     "referee": SYMBOLIC | {"matplotlib"},

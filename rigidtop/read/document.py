@@ -13,7 +13,7 @@ from rigidtop.notation import NOTES, Notation
 from rigidtop.read import left
 from rigidtop.read.formula import Line, read
 from rigidtop.read.habits import NO_HABITS, Habits
-from rigidtop.read.left import NUMBER, SIGNS, TAG, N, bared
+from rigidtop.read.left import NUMBER, RELATED, TAG, N, bared
 from rigidtop.read.walk import Formula, Problem, Walk
 
 MOST_NUMBERS = 5_000
@@ -37,9 +37,6 @@ _INSIDE = re.compile(
     rf"{TAG}|\\l?eqno\s*\(?\s*({N})|\\q?quad\s*\(({N})\)(?=[\s.,]*$)"
     r"|\((\d+\.\d+[a-z]?)\)(?=[\s.,]*(?:\\end\s*\{\s*[A-Za-z*]+\s*\}\s*)*$)"
 )
-_RELATED = re.compile(
-    rf"[=<>≈≡≠≤≥∝≃≅∥⊥→]|\\(?:{SIGNS})(?![A-Za-z])|(?<![_{{])\\(?:parallel|perp)(?![A-Za-z])"
-)
 
 
 def formulas(source: str) -> tuple[Formula, ...]:
@@ -61,11 +58,6 @@ def problems(source: str) -> tuple[Problem, ...]:
 def bare(source: str) -> tuple[Problem, ...]:
     """The lines with mathematics outside of all dollars and the like, in order."""
     return _read(source).bare
-
-
-def states(formula: Formula) -> bool:
-    """Whether a formula says anything: a display, or a relation in a line."""
-    return formula.display or _RELATED.search(formula.text) is not None
 
 
 @dataclass(frozen=True)
@@ -112,7 +104,7 @@ def _numbers_of(source: str, formula: Formula) -> tuple[str, ...]:
     if inside:
         return inside
     beside = NUMBER.match(source, formula.end)
-    if beside and (formula.display or _RELATED.search(formula.text)):
+    if beside and (formula.display or RELATED.search(formula.text)):
         return (beside[1],)
     return ()
 

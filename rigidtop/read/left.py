@@ -30,6 +30,9 @@ NUMBER = re.compile(rf"[ \t\n|]*(?:</?t[dr]>)*\(\s*({N})\s*\)[.,]?[ \t|]*(?=\n|$
 _LAST = re.compile(rf"(?<!Eq\. )(?<!Eqs\. )\(\s*({N})\s*\)[.,]?[ \t|]*(?=\n|$)")
 _LOST = re.compile(rf"{TAG}|\\l?eqno\s*\(?\s*({N})|{_LAST.pattern}")
 SIGNS = "equiv|approx|neq?|lt|gt|leq?|geq?|ll|gg|propto|sim|simeq|cong|to|in"
+RELATED = re.compile(
+    rf"[=<>≈≡≠≤≥∝≃≅∥⊥→]|\\(?:{SIGNS})(?![A-Za-z])|(?<![_{{])\\(?:parallel|perp)(?![A-Za-z])"
+)
 _BARE = re.compile(
     r"\\[A-Za-z]+\*?\s*\[[^\]\n]{0,400}\]|<[A-Za-z/!][^<>]{0,400}>|https?://\S+"
     r"|\\(?:url|href|label|hypersetup|setlength|geometry)\s*(?:\[\w*\]\s*)?\{[^{}\n]{0,400}\}"
@@ -41,6 +44,11 @@ _BARE = re.compile(
     re.M,
 )
 """A sign or a command that only mathematics has; what may have one all the same goes before it."""
+
+
+def states(formula: Formula) -> bool:
+    """Whether a formula says anything: a display, or a relation in a line."""
+    return formula.display or RELATED.search(formula.text) is not None
 
 
 def bare(walk: Walk) -> Iterator[Problem]:

@@ -12,6 +12,7 @@ import time
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 from rigidtop.errors import RigidtopError
@@ -122,16 +123,44 @@ def left_out(source: Source, found: tuple[Source, ...]) -> Iterator[tuple[int, s
         yield match.start(), f"\\{match[1]}{{{name.strip()}}} is not read: {why}"
 
 
-def numbers(found: tuple[Source, ...]) -> dict[Path, list[Counted]]:
-    """The rows of each file that bear a number, counted through all where they are taken in."""
+@dataclass(frozen=True)
+class Part:
+    """A piece of a file: where it stands in the whole, and where in the file."""
+
+    at: int
+    source: Source
+    start: int
+    text: str
+
+
+@dataclass(frozen=True)
+class Whole:
+    """The text of files that belong together, each where it is taken in, styles left out."""
+
+    parts: tuple[Part, ...]
+
+    @cached_property
+    def text(self) -> str:
+        return "".join(part.text for part in self.parts)
+
+    def part(self, position: int) -> Part:
+        """The piece in which a place of the whole lies."""
+        return self.parts[bisect_right(self.parts, position, key=lambda part: part.at) - 1]
+
+    def origin(self, position: int) -> tuple[Source, int]:
+        """The file of a place of the whole, and the place in it."""
+        part = self.part(position)
+        return part.source, position - part.at + part.start
+
+
+def whole(found: tuple[Source, ...]) -> Whole:
+    """The files as one text."""
     left = {source.path.resolve(): source for source in found[1:] if source.is_text}
-    laid: list[tuple[int, Source, int, str]] = []  # where in all, of which file, where there, what
-    length = 0
+    parts: list[Part] = []
 
     def lay(source: Source, start: int, end: int) -> None:
-        nonlocal length
-        laid.append((length, source, start, source.text[start:end]))
-        length += end - start
+        at = parts[-1].at + len(parts[-1].text) if parts else 0
+        parts.append(Part(at, source, start, source.text[start:end]))
 
     def lay_out(source: Source) -> None:
         at = 0
@@ -143,12 +172,26 @@ def numbers(found: tuple[Source, ...]) -> dict[Path, list[Counted]]:
         lay(source, at, len(source.text))
 
     lay_out(found[0])
+    return Whole(tuple(part for part in parts if part.text) or tuple(parts[:1]))
+
+
+def macros_of(found: tuple[Source, ...]) -> Macros:
+    """The macros of files that belong together."""
+    macros: Macros = PACKAGES
+    for source in found:
+        macros = defined(source.text, macros)
+    return macros
+
+
+def numbers(found: tuple[Source, ...]) -> dict[Path, list[Counted]]:
+    """The rows of each file that bear a number, counted through all where they are taken in."""
+    laid = whole(found)
     made: dict[Path, list[Counted]] = {source.path: [] for source in found}
-    for row in counted("".join(text for *_, text in laid)) if length <= LONGEST else ():
-        begun, source, start, text = laid[bisect_right(laid, row.start, key=lambda x: x[0]) - 1]
-        by = start - begun
-        if row.end <= begun + len(text):
-            made[source.path].append(replace(row, start=row.start + by, end=row.end + by))
+    for row in counted(laid.text) if len(laid.text) <= LONGEST else ():
+        part = laid.part(row.start)
+        by = part.start - part.at
+        if row.end <= part.at + len(part.text):
+            made[part.source.path].append(replace(row, start=row.start + by, end=row.end + by))
     return made
 
 
@@ -189,9 +232,7 @@ def habits(found: tuple[Source, ...], notation: Notation, until: float = float("
 
     All but the macros are looked for until a time of `time.process_time`.
     """
-    macros: Macros = PACKAGES
-    for source in found:
-        macros = defined(source.text, macros)
+    macros = macros_of(found)
     if not notation.open:
         return Habits(macros, conditions=True, signs=True)
     texts = [formula.text for source in found for formula in formulas(source.text)]

@@ -1,4 +1,4 @@
-"""A file gone through once: where its formulas stand, in Markdown with dollars or in LaTeX."""
+"""A file gone through once: where its formulas stand, in LaTeX or in Markdown and its like."""
 
 from __future__ import annotations
 
@@ -65,7 +65,12 @@ _WITH_ARGUMENTS = {
     "dmath": re.compile(r"\s*\[[^\]\n]*\]"),
 }
 _WITH_ARGUMENTS |= dict.fromkeys(("xalignat", "xxalignat"), _WITH_ARGUMENTS["alignat"])
-_VERBATIM = frozenset({"verbatim", "Verbatim", "lstlisting", "minted", "comment", "alltt"})
+_VERBATIM = {
+    **dict.fromkeys(("verbatim", "Verbatim", "lstlisting", "minted", "alltt"), "code"),
+    **dict.fromkeys(("tikzpicture", "pgfpicture", "picture", "asy"), "a picture"),
+    "comment": "a comment",
+}
+"""Environments that are left out, and what they are."""
 
 _BOTH = (
     r"(?P<escaped>\\\\|\\[$%`])"
@@ -74,15 +79,69 @@ _BOTH = (
     r"|\\(?P<side>begin|end)\s*\{\s*(?P<name>[A-Za-z]+\*?)\s*\}"
     r"|(?P<sign>\$\$?|\\[\[\]()])"
 )
+
+
+@dataclass(frozen=True)
+class _Delimiters:
+    """What opens and closes a formula beside dollars, as patterns.
+
+    Where the formula is a `block`, blank lines may stand in it.
+    """
+
+    opens: str
+    closes: str
+    display: bool = False
+    block: bool = False
+
+
+_SHORT = r"(?:math|katex|mathjax|latex)\b[^%<>{}\n]{0,80}"
+_DELIMITERS = {
+    "bracket": _Delimiters(r"\\\\\[", r"\\\\\]", display=True),
+    "parenthesis": _Delimiters(r"\\\\\(", r"\\\\\)"),
+    "dollar": _Delimiters(r"\$`", r"`\$"),
+    "role": _Delimiters(r"(?:\{math\}|:math:)`", r"`"),
+    "macro": _Delimiters(r"\b(?:stem|latexmath):\[", r"(?<!\\)\]"),
+    "block": _Delimiters(
+        r"^\[(?:stem|latexmath)\b[^\]\n]{0,80}\][ \t]*\n\+{4}[ \t]*$", r"^\+{4}[ \t]*$", True, True
+    ),
+    "script": _Delimiters(r"<script\b[^<>\n]{0,80}math/tex[^<>\n]{0,80}>", "</script>", block=True),
+    "shortcode": _Delimiters(
+        rf"\{{\{{[<%][ \t]*{_SHORT}[>%]\}}\}}", r"\{\{[<%][ \t]*/[^{}\n]{0,80}\}\}", block=True
+    ),
+    "tag": _Delimiters(rf"\{{%[ \t]*{_SHORT}%\}}", r"\{%[ \t]*end[^%{}\n]{0,80}%\}", block=True),
+}
+"""Escaped brackets, GitLab's dollars, roles of MyST and reStructuredText, AsciiDoc, HTML, Hugo,
+Jekyll."""
+_BESIDE = "|".join(f"(?P<{name}>{each.opens})" for name, each in _DELIMITERS.items())
+_INNER = re.compile(rf"\s*(?:\$|\\\[|\\\(|\\begin\s*\{{(?:{'|'.join(map(re.escape, _MATHS))})\}})")
+"""What begins a formula within such delimiters once more."""
+_MATH_FENCE = r"[ \t>]*(?=(?:`{3}|~{3}|:{3})[`~:]{0,17}[ \t]*\{?math\b)"
+_OPTIONS = re.compile(
+    r"(?:\n---[ \t]*(?:\n(?!---)[^\n]*){0,20}\n---[ \t]*(?=\n))?(?:\n[ \t>]*:[\w-]+:[^\n]*)*"
+)
+"""Those of a directive stand in front of its text."""
+_TEXTS = frozenset(
+    (
+        *("admonition", "attention", "caution", "danger", "dropdown", "error", "example", "hint"),
+        *("exercise", "exercise-start", "important", "margin", "note", "seealso", "sidebar", "tip"),
+        *("solution", "solution-start", "topic", "warning", "card", "details", "epigraph", "aside"),
+    )
+)
+"""Directives whose fence holds text; those of prf as well."""
+
 _IN_TEX = re.compile(rf"{_BOTH}|(?P<percent>%[^\n]*)|(?P<verb>\\verb\*?[^A-Za-z\s*])", re.M)
 _IN_MARKDOWN = re.compile(
-    rf"{_BOTH}|(?P<percent>^[ \t]*%[^\n]*)|(?P<html><!--)"
-    r"|(?P<fence>^[ \t]{0,3}(?P<ticks>`{3,}+|~{3,}+)(?P<info>[^\n`]*+)$)|(?P<code>`+)",
+    rf"{_BESIDE}|{_BOTH}|(?P<percent>^[ \t]*%[^\n]*)|(?P<html><!--)"
+    rf"|(?P<fence>^(?:{_MATH_FENCE}|[ \t]{{0,3}}(?=[`~]))"
+    r"(?P<ticks>`{3,}+|~{3,}+|:{3,}+)(?P<info>[^\n`]*+)$)"
+    r"|(?P<directive>^(?P<margin>[ \t]*)\.\.[ \t]+math::[ \t]*(?P<first>[^\n]*)$)|(?P<code>`+)",
     re.M,
 )
 _FENCED = re.compile(r"^[ \t]{0,3}(`{3,20}+|~{3,20}+)(?s:.*?)^[ \t]{0,3}\1[^\n]*", re.M)
 _QUOTED = re.compile(r"^[ \t]{0,3}>", re.M)
 _TEX = re.compile(r"^[ \t]*\\(?:documentclass|begin\s*\{\s*document\s*\})", re.M)
+DOCUMENT = re.compile(r"^[ \t]*\\begin\s*\{\s*document\s*\}", re.M)
+"""Where the text of a file in LaTeX begins."""
 _BLANK_LINE = re.compile(r"\n[ \t]*\n")
 _PARAGRAPH = re.compile(r"\n(?=[ \t]*\n)")
 _TOLD = re.compile(r"=|\\(?:tag|equiv|approx|neq?)(?![A-Za-z])")
@@ -130,14 +189,21 @@ class Walk:
         """Those of this paragraph that are alone."""
         self.open: list[tuple[str, int]] = []
         self.unknown: list[tuple[str, int, int]] = []
+        self.texts: list[str] = []  # the fences of directives with text that are open
         self.missing: set[str] = set()  # closings that do not come any more: looked for only once
         pattern = _IN_TEX if self.tex else _IN_MARKDOWN
-        at = 0
+        document = DOCUMENT.search(source) if self.tex else None
+        at = self.begin(document.end()) if document else 0
         while match := pattern.search(self.source, at):
             at = self.take(match)
         self.end_paragraph()
         self.unknown += [(name, begun, self.paragraph_end(begun)) for name, begun in self.open]
         self.found.sort(key=lambda formula: formula.opens)
+
+    def begin(self, start: int) -> int:
+        """Go to where the document begins: what stands before it sets nothing."""
+        self.skipped.append((0, start))
+        return start
 
     def take(self, match: re.Match[str]) -> int:
         """Go behind what was found."""
@@ -154,8 +220,12 @@ class Walk:
             return self.skip_until(match, re.escape(match[0][-1]), "code")
         elif kind == "code":
             return self.code(match)
-        elif match.groupdict().get("fence"):
+        elif not self.tex and match["fence"] is not None:
             return self.fence(match)
+        elif not self.tex and match["directive"] is not None:
+            return self.directive(match)
+        elif kind in _DELIMITERS:
+            return self.beside(match, kind)
         elif match["name"]:
             return self.environment(match)
         elif kind == "sign":
@@ -189,14 +259,67 @@ class Walk:
         return end.end()
 
     def fence(self, match: re.Match[str]) -> int:
-        if len(match["ticks"]) > LONGEST_TICKS:
+        ticks, info = match["ticks"], match["info"].strip()
+        if len(ticks) > LONGEST_TICKS:
             return match.end()
-        end = self.find(rf"\n[ \t]{{0,3}}{match['ticks']}[`~]*", match.end())
         self.end_paragraph()
-        if end is not None and match["info"].strip() == "math":
-            self.add(match.end(), end.start(), end.end(), match.start())
-            return end.end()
-        return self.skip_until(match, rf"\n[ \t]{{0,3}}{match['ticks']}[`~]*", "code")
+        name = info.removeprefix("{").partition("}")[0] if info.startswith("{") else ""
+        if not info and self.texts and ticks.startswith(self.texts[-1]):
+            self.texts.pop()
+            return match.end()
+        if name in _TEXTS or name.startswith("prf:"):
+            self.texts.append(ticks)
+            return match.end()
+        mathematics = name == "math" or info.split()[:1] == ["math"]
+        margin = "[ \\t>]*" if mathematics else r"[ \t]{0,3}"
+        closing = rf"\n{margin}{ticks}[`~:]*"
+        end = self.find(closing, match.end()) if mathematics else None
+        if end is None:
+            return self.skip_until(match, closing, "code")
+        options = _OPTIONS.match(self.source, match.end(), end.start())
+        start = options.end() if options else match.end()
+        self.add(start, end.start(), end.end(), match.start("ticks"))
+        return end.end()
+
+    def directive(self, match: re.Match[str]) -> int:
+        """The formulas of a directive of reStructuredText: what is indented, by blank lines."""
+        self.end_paragraph()
+        options = _OPTIONS.match(self.source, match.end())
+        end = options.end() if options else match.end()
+        if match["first"].strip():
+            self.add(match.start("first"), match.end("first"), end, match.start())
+        inside = re.compile(rf"(?:\n{match['margin']}[ \t]+\S[^\n]*)+")
+        blank = re.compile(r"(?:\n[ \t]*(?=\n))*")
+        opens = match.start()
+        while True:
+            gap = blank.match(self.source, end)
+            block = inside.match(self.source, gap.end() if gap else end)
+            if block is None:
+                return end
+            self.add(block.start() + 1, block.end(), block.end(), max(opens, block.start()))
+            end = block.end()
+
+    def beside(self, match: re.Match[str], kind: str) -> int:
+        """A formula between other delimiters than those of TeX."""
+        delimiters, start = _DELIMITERS[kind], match.end()
+        closing = re.compile(rf"(?P<end>{delimiters.closes})|{delimiters.opens}", re.M)
+        end = None if len(self.dollars) % 2 else closing.search(self.source, start)
+        if end is not None and not end["end"]:
+            end = None
+        if end is not None and not delimiters.block:
+            inside = self.source[start : end.start()]
+            end = None if _BLANK_LINE.search(inside) or not inside.strip() else end
+        if kind == "dollar" and end is None:
+            self.dollars.append(match.start())
+            return match.start() + 1
+        if end is None:
+            return match.start() + 2 if kind in ("bracket", "parenthesis") else start
+        if _INNER.match(self.source, start, end.start()):
+            return start
+        alone = self.source[self.source.rfind("\n", 0, match.start()) + 1 : match.start()].strip()
+        display = delimiters.display or "display" in match[0] or (delimiters.block and not alone)
+        self.add(start, end.start(), end.end(), match.start(), display)
+        return end.end()
 
     # Formulas
 
@@ -266,7 +389,7 @@ class Walk:
             self.add(start, end.start(), end.end(), match.start(), name != "math")
             return end.end()
         elif name.rstrip("*") in _VERBATIM and begins:
-            what = "a comment" if name == "comment" else "code"
+            what = _VERBATIM[name.rstrip("*")]
             return self.skip_until(match, rf"\\end\s*\{{\s*{re.escape(name)}\s*\}}", what)
         elif begins:
             if not len(self.dollars) % 2 and len(self.open) < DEEPEST:

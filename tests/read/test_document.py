@@ -287,3 +287,39 @@ def test_the_signs_of_a_quotation_are_no_relations():
     [formula] = formulas("> Note\n> $$\n> a = b\n> + c > 0\n> $$\n")
     assert formula.text.split() == ["a", "=", "b", "+", "c", ">", "0"]
     assert formulas("$$\n> a\n$$\n")[0].text.split() == [">", "a"]
+
+
+OTHERS = {
+    "```{math}\n:label: one\na=b\n```\n": ["a=b"],
+    "```{math}\n---\nlabel: one\nnowrap:\n---\na=b\n```\n": ["a=b"],
+    "- x\n\n      ```math\n      a=b\n      ```\n": ["a=b"],
+    "> ```math\n> a\n> = b\n> ```\n": ["a\n  = b"],
+    "~~~math\na=b\n~~~\n": ["a=b"],
+    "````{note}\n```{math}\na=b\n```\n$c$\n````\n$d$\n": ["a=b", "c", "d"],
+    ":::{math}\n:label: one\na=b\n:::\n:::{tip}\n$c$\n:::\n": ["a=b", "c"],
+    "so {math}`a=b` and :math:`c=d`.": ["a=b", "c=d"],
+    "{{< math >}}\n$$a=b$$\n{{< /math >}}\n{{< katex >}}c{{< /katex >}}": ["a=b", "c"],
+    "{% katex display %}\na=b\n{% endkatex %}": ["a=b"],
+    r"so \\[a=b\\] and \\(c=d\\), no \\[4pt]": ["a=b", "c=d"],
+    "We $`a=b`$ and $`c`$": ["a=b", "c"],
+    "<p>$$a=b$$</p><script type='math/tex; mode=display'>c</script>": ["a=b", "c"],
+    ".. math::\n   :label: one\n\n   a=b\n\n   c=d\n\nText $e$\n\n.. math:: f\n": [
+        *("a=b", "c=d", "e", "f")
+    ],
+    "#+title: x\n\\begin{equation}\na=b\n\\end{equation}\n": ["a=b"],
+    "so stem:[a=b], latexmath:[$c$]\n\n[stem]\n++++\nd\n++++\n": ["a=b", "c", "d"],
+    "`$` and $x$ and `$`": ["x"],
+    "$a$`code` $b$": ["a", "b"],
+}
+
+
+@pytest.mark.parametrize("source", OTHERS)
+def test_formulas_of_other_dialects(source):
+    assert [formula.text.strip() for formula in formulas(source)] == OTHERS[source]
+    assert problems(source) == ()
+
+
+@pytest.mark.parametrize("source", ["```python\na=b\n```\n$c$", "```{code-cell}\na=b\n```\n$c$"])
+def test_code_in_a_fence_is_told(source):
+    assert [formula.text for formula in formulas(source)] == ["c"]
+    assert [problem.reason for problem in problems(source)] == ["skipped: code"]

@@ -9,7 +9,7 @@ from rigidtop.cli import main
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import OWN
 from rigidtop.read.document import alone, each
-from rigidtop.read.project import habits, numbers, sources
+from rigidtop.read.project import habits, macros_of, numbers, sources, whole
 
 
 @pytest.fixture
@@ -145,3 +145,16 @@ def test_both_signs_are_read_in_the_letters_of_a_table_too(tmp_path, capsys):
     assert main(["read", str(file), "--notation", "goldstein", "--json"]) == 0
     read = [row["equation"] for row in json.loads(capsys.readouterr().out)]
     assert read == ["θ = √(2 − φ)", "θ = −√(2 − φ)", "φ ≤ 2"]
+
+
+def test_files_are_one_text_in_the_order_in_which_they_are_taken_in(tmp_path):
+    (tmp_path / "main.tex").write_text("a\\usepackage{own}\\input{one}b", "utf-8")
+    (tmp_path / "one.tex").write_text("c\\input{main}d", "utf-8")
+    (tmp_path / "own.sty").write_text("\\newcommand{\\q}{r}", "utf-8")
+    found = sources(tmp_path / "main.tex")
+    text = whole(found)
+    assert text.text == "a\\usepackage{own}c\\input{main}db"
+    for letter, name, start in (("d", "one.tex", 13), ("b", "main.tex", 28)):
+        source, place = text.origin(text.text.rindex(letter))
+        assert (source.path.name, place, source.text[place]) == (name, start, letter)
+    assert "\\q" in macros_of(found)

@@ -4,13 +4,11 @@ import pytest
 from sympy import Mul
 
 from rigidtop.commands.read import run
-from rigidtop.mark.rows import rows
 from rigidtop.notation import OWN
 from rigidtop.proof.equation import At
 from rigidtop.read.document import formulas
 from rigidtop.read.formula import read
 from rigidtop.read.habits import Habits
-from rigidtop.read.project import habits, sources
 from rigidtop.read.spoken import spoken
 from rigidtop.theory.symbols import Glyph
 
@@ -125,18 +123,3 @@ def test_a_potential_is_a_function_and_a_length_is_none():
     assert potential.equation.sides[1].func is At
     [length] = read_with("a rod of length $U$.\n\n$$x = U(a + b)$$")
     assert isinstance(length.equation.sides[1], Mul)
-
-
-def test_a_letter_that_words_call_an_angular_momentum_is_no_lagrangian(tmp_path):
-    def judged(words):
-        path = tmp_path / "a.md"
-        formula = "$$L = mr^2\\dot\\phi$$ $$\\dot L = 0$$ $$r^2\\ddot\\phi = 0$$"
-        path.write_text(f"{words}.\n\n{formula}", "utf-8")
-        found = sources(path)
-        return [row.held for row in rows(found[0].text, habits(found, OWN), 60)]
-
-    assert judged("where $L$ is the angular momentum")[0].note == (
-        "what L stands for: angular momentum"
-    )
-    assert judged("Some words")[0].note == "L: ℒ, or an angular momentum? nothing says"
-    assert "false" not in {each.verdict for each in judged("Some words")}

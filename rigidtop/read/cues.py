@@ -1,0 +1,298 @@
+r"""What the words around a formula say of it, in English, German and French.
+
+The words are those of its sentence from the formula before to the one behind.  In them § stands for
+a letter or another formula, and ¶ for the end of a title.
+
+>>> sorted(cue.name for cue in cues("at the start", "", "\\dot\\theta = 0", False))
+['MOMENT']
+>>> sorted(cue.name for cue in cues("Suppose", "", "p_1 = p_2", False))
+['CASE']
+"""
+
+from __future__ import annotations
+
+import re
+from enum import Enum, auto
+
+
+class Cue(Enum):
+    """One thing that words say of a formula."""
+
+    MOMENT = auto()
+    """It holds at one moment or place only: "at the start", "where § = 0"."""
+    CASE = auto()
+    """It is supposed of what follows: "suppose", "for a horizontal top"."""
+    DEFINED = auto()
+    """It gives something a name: "with", "let", "we call"."""
+    CONSTANT = auto()
+    """The letter, or the left side, is constant."""
+    SMALL = auto()
+    """It holds for small angles, or to first order."""
+    LARGE = auto()
+    """It holds for what is large, as the spin of a fast top."""
+    APPROXIMATED = auto()
+    """An = in it is meant approximately, since something was said to be small before."""
+    GENERAL = auto()
+    """A case or an approximation is taken back: "in general", "exactly", "for all times"."""
+    CONDITION = auto()
+    """An inequality that something rests on: "if § ≠ 0"."""
+    ASKED = auto()
+    """It is asked or denied: "show that", "it is wrong that"."""
+    DERIVED = auto()
+    """It follows from what was said: "hence"."""
+    GIVEN = auto()
+    """It is taken from elsewhere: "according to", "experiment shows"."""
+
+
+_THE = r"(?:the|an?|its|our|their|some|der|die|das|dem|den|eine?[mnrs]?|les?|la|une?|l')"
+_NOUN = rf"(?: {_THE})?(?: [\w'-]+){{0,4}}"
+_START = r"(?:^|[,;:.(–¶] ?|\b(?:and|while|but|or|so|that|now|then|we|us|I|und|wir|et|dass|que) )"
+_BEING = r"(?:is|are|be|being|remains?|stays?|ist|sind|bleib(?:t|en)|est|sont|reste(?:nt)?)"
+_AND = r"(?:,? ?(?:and|und|et|,) §)*,? ?"
+_FIXED = (
+    r"(?:constant|const\b|conserved|fixed|unchanged|the same|konstant|erhalten|fest|unverändert"
+    r"|constante?s?|conservée?s?)"
+)
+_PLACE = (
+    r"(?:start|beginning|top|bottom|end|edge|(?:turning|lowest|highest|foremost|nearest) point"
+    r"|point (?:next|nearest|closest|furthest|farthest)[^,;:§]{0,30}|(?:same |first |last )?moment"
+    r"|instant|(?:peri|ap)helion|maximum|minimum)"
+)
+_SMALL = (
+    r"(?:small(?:ness of)? (?:§|angles?|oscillations?|vibrations?|displacements?|deviations?"
+    r"|swings?"
+    r"|amplitudes?|motions?|perturbations?|disturbances?|deflections?|things|quantities|terms)"
+    r"|(?:first|second|lowest|leading|linear) order|nearly|approximately|almost|roughly"
+    r"|linear(?:is|iz)"
+    r"|neglect|dropping|(?:I|we) drop|slightly"
+    r"|kleinen? (?:§|Winkeln?|Schwingung(?:en)?|Auslenkung(?:en)?|Ausschläge|Störung(?:en)?)"
+    r"|(?:erster|zweiter|führender) Ordnung|näherungsweise|ungefähr|vernachlässig"
+    r"|fast (?:konstant|null|gleich|senkrecht)"
+    r"|petite?s? (?:§|angles?|oscillations?|mouvements?|déplacements?)|premier ordre|approximative"
+    r"|environ|presque|néglig)"
+)
+_LARGE = (
+    r"(?:large(?:st)? §|§ (?:is )?(?:very )?large|fast (?:\w+ )?(?:top|spin|wheel|gyroscope"
+    r"|rotation)"
+    r"|rapidly|(?:very|is) (?:large|fast)|(?:schnelle[rns]?) (?:\w+ )?(?:Kreisel|Rotation)|gro(?:ß"
+    r"|ss)es? §"
+    r"|toupie rapide|grande?s? (?:§|vitesses?))"
+)
+
+BEFORE: dict[Cue, tuple[str, ...]] = {
+    Cue.MOMENT: (
+        rf"\b(?:at|in|near|passes|reaches) (?:the|its|this|that) {_PLACE}\b[^§]*",
+        r"(?:^|[.;¶] ?)(?:the )?(?:lowest|highest|foremost|nearest) point\b[^§]*",
+        r"\bat the (?:time|moment|instant) §[^§]*",
+        r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
+        r"\b(?:initially|at first|at rest|started from rest)\b[^§]*",
+        r"\b(?:am (?:Anfang|Ende|Boden)|im (?:Umkehrpunkt|Scheitel|tiefsten Punkt|höchsten Punkt"
+        r"|Moment)|oben|unten|zur Zeit|zum Zeitpunkt|anfangs|zu Beginn)\b[^§]*",
+        r"\b(?:à l'instant|au (?:début|départ|sommet|point le plus (?:haut|bas))|initialement"
+        r"|au moment où)\b[^§]*",
+    ),
+    Cue.CASE: (
+        rf"{_START}(?:suppos(?:e|ing)|assum(?:e|ing)|let)(?: (?:now|that|us|also|first))*{_NOUN},?",
+        rf"{_START}(?:set(?:ting)?|put(?:ting)?|tak(?:e|ing)|try)(?: (?:now|also|first|as))*",
+        r"\blet [^§.;]{1,60}:(?: § [^§.;]{1,30},)*",
+        r"\bI (?:assume|take|suppose)(?: that)?",
+        rf"\b(?:angenommen|nimm an|nehmen (?:wir )?an|sei(?:en)?|sind nun"
+        rf"|setze(?:n wir)?),?(?: nun| dass)*{_NOUN}",
+        rf"\b(?:supposons|soi(?:t|ent)|posons|on pose|prenons)(?: que| alors)*{_NOUN}",
+    ),
+    Cue.DEFINED: (
+        rf"(?:^|[,;:.(¶–] ?|\band )(?:with|mit|avec)(?! the (?:solution|result|help|aid)){_NOUN}",
+        rf"\b(?:let|where|defin(?:e|ing)|call(?:ing)?|denot(?:e|ing)(?: by)?|writ(?:e|ing)"
+        rf"|introduc(?:e|ing)|abbreviat(?:e|ing)|namely|i\. ?e\.){_NOUN}",
+        rf"{_START}(?:set(?:ting)?|put(?:ting)?|tak(?:e|ing))(?: (?:now|also|first|as))*",
+        r"\bI write|\bwe (?:write|call|define|introduce|put|set)(?: it)?",
+        rf"\b(?:wobei|sei(?:en)?|setze(?:n wir)?|definiere(?:n wir)?|nenne(?:n wir)?){_NOUN}",
+        rf"\b(?:(?<!d')où|soi(?:t|ent)|on pose|posons|on note|notons|appelons){_NOUN}",
+    ),
+    Cue.SMALL: (r"\b(?:small|kleine[nrms]?|petite?s?)",),
+    Cue.LARGE: (r"\b(?:large|gro(?:ß|ss)e[nrms]?|grande?s?)",),
+    Cue.CONSTANT: (
+        r"(?<!§ is )(?<!^is )\b(?:an?|the|another|one) (?:(?:\w+ )?constant(?: of (?:the )?motion)?"
+        r"|conserved (?:quantity|momentum|energy)|constant \w+)(?: is)?",
+        r"(?:Konstante|Erhaltungsgröße)(?: ist)?|(?:une|la) (?:constante"
+        r"|quantité conservée)(?: est)?",
+        r"\b(?:constant|conserved|fixed|konstante[mnrs]?|feste[mnrs]?) (?:\w+ )?",
+    ),
+    Cue.ASKED: (
+        r"\b(?:not|nicht|pas)(?: (?:true|the case|have|get|so|that|equal|wahr|dass|vrai|que|,))*",
+        r"\b(?:unless|es sei denn(?:,? dass)?|sauf si|à moins que)",
+        r"\b(?:might|could|would) (?:think|expect|guess|believe|hope)(?: that)?",
+        r"\b(?:wrong|false|no longer true|untrue|incorrect|a mistake|falsch|faux)(?: (?:that"
+        r"|to \w+(?: that)?)"
+        r"|,? dass| que)?",
+        r"\b(?:show|prove|verify|is it true|why is|zeigen? (?:Sie|wir)?|beweisen?(?: Sie)?"
+        r"|montre[rz]"
+        r"|démontre[rz]|est-ce)(?: that|,? dass| que)?[^§.]{0,40}",
+    ),
+    Cue.GIVEN: (
+        r"\b(?:according to|from the tables?|(?:Newton|Hooke|Kepler|Coulomb)['’]?s? (?:\w+ )?law"
+        r"|experiments? shows?|measured|by measurement|as (?:\w+ ){1,4}says|it is known|laut|gemäß"
+        r"|Gesetz|Messung|selon|d['’]après|loi de)\b[^§]*",
+    ),
+}
+"""The words directly in front of a formula, behind which no more stands than a comma."""
+
+WITHIN: dict[Cue, tuple[str, ...]] = {
+    Cue.SMALL: (rf"\b{_SMALL}",),
+    Cue.LARGE: (rf"\b{_LARGE}",),
+    Cue.GENERAL: (
+        r"\b(?:in general|generally|again|exact(?:ly)?|without (?:the |this )?approximations?"
+        r"|on the other hand|for all (?:times?|t|§)|at (?:any|all|every) (?:times?|moment)"
+        r"|(?<!as )always"
+        r"|(?:im )?allgemein(?:en)?|wieder|exakt|genau|andererseits|jederzeit|zu jeder Zeit|stets"
+        r"|en général|à nouveau|exactement|d['’]autre part|à tout instant|toujours)\b",
+    ),
+    Cue.DERIVED: (
+        r"\b(?:hence|so(?! far)|therefore|thus|then|it follows|gives?|(?:we|I|one) (?:gets?|sees?"
+        r"|finds?|obtains?|have|has)"
+        r"|becomes?|consequently|yields?|leads? to|that is|from (?:this|these|which|it)|implies"
+        r"|daher|daraus|folgt|somit|ergibt|dann|liefert|(?:man|wir) (?:erh[aä]lt(?:en)?"
+        r"|bekommt?)|d['’]où|donc|ainsi|alors|donne"
+        r"|on (?:obtient|trouve|en déduit))\b|, also\b",
+    ),
+}
+"""Words anywhere in front of a formula, since the one before."""
+
+BEHIND: dict[Cue, tuple[str, ...]] = {
+    Cue.CONSTANT: (
+        rf",? ?(?:which |that |die |der |qui )?{_BEING} (?:\w+ )?(?:an? |the |une? |eine? )?"
+        rf"{_FIXED}",
+        rf"{_AND}(?:are|remain|stay|sind|bleiben|sont|restent) (?:\w+ )?(?:the |des )?{_FIXED}",
+        rf"{_AND}(?:both |all )?(?:fixed|const(?:ant)?|konst(?:ant)?|constante?s?|conserved|fest)"
+        r"\b",
+        rf"{_AND}(?:does|do) not (?:change|depend on (?:the )?time)",
+        r",? ?(?:which )?(?:ändert sich nicht|ne (?:change|varie) pas|bleibt erhalten)",
+    ),
+    Cue.SMALL: (
+        rf",? ?\(?(?:for|if|when|to|in|up to|für|bis|pour|au) [^§.;]{{0,20}}?{_SMALL}",
+        rf"{_AND}(?:{_BEING} )?(?:very |sehr |très )?(?:small|klein|petite?s?)\b",
+    ),
+    Cue.LARGE: (
+        rf",? ?\(?(?:for|if|when|für|pour) (?:an? |the )?{_LARGE}",
+        rf"{_AND}(?:{_BEING} )?(?:very |sehr |très )?(?:large|groß|gross|grande?s?)\b",
+    ),
+    Cue.MOMENT: (rf",? ?(?:at|in|near) the {_PLACE}\b|,? ?(?:initially|am Anfang|au début)\b",),
+    Cue.GENERAL: (r",? ?(?:for all (?:times?|t|§)|at (?:any|all) times?|always|stets|toujours)\b",),
+    Cue.ASKED: (
+        r"[^.]*\?",
+        r",? ?(?:would be|is|are|was) (?:wrong|false|not true|no longer)|,? ?does not hold",
+    ),
+}
+"""The words directly behind a formula."""
+
+INLINE: dict[Cue, tuple[str, ...]] = {
+    Cue.MOMENT: (
+        r"(?<!look )(?<!arrive )(?<!is )(?<!are )(?<!lies )\b(?:at|at (?:the )?(?:time|moment"
+        r"|instant|place|point)|when|whenever)",
+        r"\b(?:there|point|place|moment|instant|time|angle)\b[^§.;:]{0,30} where(?: now)?",
+        r"\b(?:bei|sobald|zur Zeit|zum Zeitpunkt)|, wo",
+        r"\b(?:en|à|lorsque|quand|à l'instant)",
+        r"\b(?:obtained|reached|found|follows|occurs|happens|ergibt sich|erreicht|folgt|gilt"
+        r"|s'obtient|atteinte?) (?:for|für|pour)",
+    ),
+    Cue.DEFINED: (r"(?<!agrees )(?<!compare )(?<!comparing )\b(?:with|mit|avec)",),
+    Cue.CASE: (
+        r"\b(?:if|only if|in the (?:special )?case[^§.;:]{0,50}"
+        r"|provided(?: that)?|as long as|falls|sofern|solange|wenn|im Fall(?:e)?(?: dass)?"
+        r"|si|pourvu que|dans le cas)",
+        rf"{_START}(?:for|on|during|für|pour|sur)"
+        r"(?! (?:example|instance|comparison|convenience|short|simplicity"
+        r"|its|his|their|this|that|which|it|all"
+        r"|each|every|any|both|our|en|trouve|obtient|pose|note|voit)\b| an?[ ,]*\Z)(?: (?!the\b"
+        r"|at\b)[\w'-]+){1,5}"
+        r"(?:, [^,;:.(§]{1,24})?",
+        rf"{_START}(?:for|für|pour)",
+        rf"{_START}(?:without|ohne|sans) [^,;:.§]{{1,30}},?",
+        rf"{_START}on the (?!other|one)[\w -]{{1,20}},",
+        rf"{_START}while an? [^,;:.(§]{{1,30}},",
+        rf"{_START}in (?:steady|uniform|circular|equilibrium|free) [^,;:.§]{{0,30}}\(?",
+    ),
+    Cue.CONDITION: (r"\(|\b(?:for|für|pour|where|with)",),
+}
+"""The words directly in front of a formula within the line, which stands beside the sentence.
+
+What they suppose of an inequality is a condition; a display is what the sentence says itself.
+"""
+TITLED = (r"[^¶]*\w[^¶]*¶[ ,.:–-]*", r"[^§]*\w[^§]*¶ ?(?:then|now|dann|nun|alors)")
+"""In front of a formula: it stands directly behind a title, which says what is supposed."""
+
+_INEQUALITY = re.compile(
+    r"[<>≠≤≥≪≫]|\\(?:neq?|not|l[et]q?|g[et]q?|leqslant|geqslant|ll|gg)(?![A-Za-z])"
+)
+_VANISHING = re.compile(r"=\s*0\s*[.,;]?\s*\Z")
+_PREMISES = frozenset({Cue.CASE, Cue.DEFINED, Cue.CONDITION, Cue.CONSTANT})
+_LIST = re.compile(r"[\s,;]*(?:(?:and|or|und|oder|et|ou)[\s,]*)?", re.I)
+_ROW = re.compile(r"(?:§[ ,]*){3,}")
+"""A list of letters says no more than two of them."""
+_CLAUSE = re.compile(r"\s*,\s*")
+_CONCLUSION = re.compile(
+    r"[;:§].|\b(?:hence|so|therefore|thus|and|but|daher|somit|und|aber|donc|et|mais)\b", re.I
+)
+"""What ends the moment or place that a formula says."""
+
+
+def _ends(patterns: tuple[str, ...], behind: str) -> re.Pattern[str]:
+    return re.compile(rf"(?:{'|'.join(patterns)}){behind}\Z", re.I)
+
+
+_BEFORE = {cue: _ends(patterns, "[ :(]*") for cue, patterns in BEFORE.items()}
+_INLINE = {cue: _ends(patterns, "[ ,:(]*") for cue, patterns in INLINE.items()}
+_WITHIN = {cue: re.compile("|".join(patterns), re.I) for cue, patterns in WITHIN.items()}
+_BEHIND = {cue: re.compile("|".join(patterns), re.I) for cue, patterns in BEHIND.items()}
+_TITLED = re.compile(rf"(?:{'|'.join(TITLED)})\Z", re.I)
+_WHERE = re.compile(r"\bwhere\Z", re.I)
+
+LONGEST = 200
+"""Of the words in front of a formula no more are looked at, and no more behind it."""
+
+
+def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
+    """What the words next to a formula say of it."""
+    before = _ROW.sub("§ § ", before.strip()[-LONGEST:])
+    behind = behind.strip()[:LONGEST]
+    heard = {cue for cue, pattern in _BEFORE.items() if pattern.search(before)}
+    heard |= {cue for cue, pattern in _WITHIN.items() if pattern.search(before)}
+    heard |= {cue for cue, pattern in _BEHIND.items() if pattern.match(behind)}
+    if not display:
+        heard |= {cue for cue, pattern in _INLINE.items() if pattern.search(before)}
+        titled = _TITLED.match(before) or ("¶" in behind and Cue.DERIVED not in heard)
+        if titled:
+            heard = heard - {Cue.DEFINED} | {Cue.CASE}
+        if _WHERE.search(before) and _VANISHING.search(text):
+            heard = heard - {Cue.DEFINED} | {Cue.MOMENT}
+    return unequal(frozenset(heard), text, display)
+
+
+def unequal(heard: frozenset[Cue], text: str, display: bool) -> frozenset[Cue]:
+    """Cues, with a condition for what supposes an inequality, and for nothing else."""
+    supposed = heard & {Cue.CASE, Cue.DEFINED, Cue.CONDITION}
+    if _INEQUALITY.search(text) is None:
+        return heard - {Cue.CONDITION}
+    return heard - supposed | {Cue.CONDITION} if supposed and not display else heard
+
+
+def passed_on(
+    heard: frozenset[Cue], opening: str, before: str, display: bool, follower: bool
+) -> frozenset[Cue]:
+    """Which cues of a formula hold of the next one, too, by the words between them.
+
+    `opening` are the words in front of the first of its list; `display` and `follower` say whether
+    the one and the other stand on a line of their own.
+    """
+    moment = heard & {Cue.MOMENT} if not _CONCLUSION.search(before) else frozenset()
+    if not enumerates(before):
+        return moment
+    clause = _CLAUSE.fullmatch(before) and _INLINE[Cue.CASE].search(opening)
+    if display != follower or clause or not before.strip():
+        return heard - _PREMISES
+    return heard - {Cue.CONSTANT}
+
+
+def enumerates(before: str) -> bool:
+    """Whether words between two formulas say no more than "and"."""
+    return _LIST.fullmatch(before) is not None

@@ -1,0 +1,92 @@
+r"""A text as its formulas in order, each with the scope, the sentence and the words around it.
+
+>>> for passage in passages("Suppose $p = q$. At the start\n\n$$x = 0$$\n"):
+...     print(passage.text, passage.sentence, passage.before, *(cue.name for cue in passage.cues))
+p = q 0 Suppose CASE
+x = 0 1 At the start MOMENT
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from rigidtop.read.cues import Cue, cues, enumerates, passed_on, unequal
+from rigidtop.read.left import states
+from rigidtop.read.prose import Prose
+from rigidtop.read.walk import Formula
+
+_OPEN_ENDED = re.compile(r"(?:=|\\equiv)\s*\Z")
+_CONSTANT = re.compile(r"(?:const|konst|constante?|konstant)\b", re.I)
+
+
+@dataclass(frozen=True)
+class Passage:
+    """A formula and what stands around it."""
+
+    text: str
+    start: int
+    """Where the text begins in the source."""
+    display: bool
+    scope: tuple[int, ...]
+    """In which heading, exercise, titled paragraph or item it stands, from outside inwards."""
+    sentence: int
+    before: str
+    """The words of the sentence since the formula before; § is a letter, ¶ ends a title."""
+    behind: str
+    """The words up to the next formula or the end of the sentence."""
+    cues: frozenset[Cue] = frozenset()
+
+
+def passages(source: str, plain: bool = False) -> tuple[Passage, ...]:
+    """Every formula of a text, in order; where it is `plain`, those without dollars as well.
+
+    Raises RigidtopError for a text that is too long.
+    """
+    prose = Prose(source, plain)
+    made = [
+        Passage(
+            *(formula.text, formula.start, formula.display),
+            *(prose.scope(number), prose.sentence(number)),
+            *prose.around(number),
+        )
+        for number, formula in enumerate(prose.formulas)
+    ]
+    return tuple(_approximated(_cued([_completed(passage) for passage in made])))
+
+
+def _completed(passage: Passage) -> Passage:
+    """A passage with its last side, where that is the word behind it: $E = $ const."""
+    if _OPEN_ENDED.search(passage.text) and _CONSTANT.match(passage.behind):
+        return replace(passage, text=passage.text + r"\text{const}")
+    return passage
+
+
+def _cued(made: Sequence[Passage]) -> Iterator[Passage]:
+    """Passages with what their words say, and what those say that were said of the one before."""
+    last: Passage | None = None
+    opening = ""
+    for passage in made:
+        heard = cues(passage.before, passage.behind, passage.text, passage.display)
+        if last is not None and last.sentence == passage.sentence:
+            between = (passage.before, last.display, passage.display)
+            heard |= passed_on(last.cues, opening, *between)
+            heard = unequal(heard, passage.text, passage.display)
+        passage = replace(passage, cues=heard)
+        yield passage
+        if states(Formula(passage.text, 0, 0, passage.display)):
+            last = passage
+            opening = opening if enumerates(passage.before) else passage.before
+
+
+def _approximated(made: Iterator[Passage]) -> Iterator[Passage]:
+    """Passages; those behind what is small, up to the end of its scope, are approximated."""
+    scope: tuple[int, ...] | None = None
+    for passage in made:
+        if Cue.GENERAL in passage.cues or (scope and passage.scope[: len(scope)] != scope):
+            scope = None
+        if passage.cues & {Cue.SMALL, Cue.LARGE}:
+            scope = passage.scope if scope is None else scope
+        approximated = {Cue.APPROXIMATED} if scope is not None else set()
+        yield replace(passage, cues=passage.cues | approximated)

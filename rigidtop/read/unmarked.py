@@ -1,0 +1,128 @@
+r"""Mathematics that stands in a text without dollars or the like, as in an answer.
+
+>>> from rigidtop.read.walk import Walk
+>>> [formula.text for formula in unmarked(Walk("so L = λ₃ω₃e₃ and R_CM = R e₃, g = −g ẑ: yes"))]
+['L = λ₃ω₃e₃', 'R_CM = R e₃', 'g = −g ẑ']
+>>> [formula.text for formula in unmarked(Walk("then L_1 = $a b$ holds, as $c = d$."))]
+['L_1 =  a b', 'c = d']
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from rigidtop.read.left import SIGNS
+from rigidtop.read.walk import Formula, Walk
+
+_NAMES = frozenset(
+    re.findall(
+        r"\w+",
+        "sin cos tan cot sec exp log sqrt arcsin arccos arctan const konst alpha beta gamma delta"
+        " epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi chi psi omega Omega"
+        " Theta Phi Psi",
+    )
+)
+"""Words that are mathematics."""
+_TOKEN = re.compile(
+    r"(?P<none><[A-Za-z/!][^<>\n]{0,200}>|https?://\S+|\]\([^)\n]{0,200}\)|[=-]>|<[=-]|[⇒→⟹←⇔|!?:;\n]"
+    r"|\\(?:begin|end|label|tag|eq?ref|cite|item|section|usepackage|document\w+|def|newcommand)\b"
+    r"[^\n\\$]{0,200}|\\(?:text\w*|emph|noindent|paragraph)(?![A-Za-z])|[.,](?=\s|\Z)"
+    r"|^[ \t>]*(?:[-*+]|\d{1,3}[.)]|\([a-z]{1,3}\)|#{1,6})[ \t])"
+    rf"|(?P<relation>[=≈≡≠≤≥∝≃≅]|(?<=\s)[<>](?=\s)|\\(?:{SIGNS})(?![A-Za-z]))"
+    r"|(?P<word>(?<![_^{\\])[^\W\d_]{2,}(?:['-][^\W\d_]+)*)|(?P<sign>\\[A-Za-z]+|\S)",
+    re.M,
+)
+_PROSE = re.compile(r"[A-ZÄÖÜ]?[a-zäöüß]+(?:['-][A-Za-zäöüß]+)*")
+_VOWEL = re.compile("[aeiouyäöü]", re.I)
+_LETTER = re.compile(r"[^\W_]")
+
+
+def unmarked(walk: Walk) -> list[Formula]:
+    """The formulas of a walk with those outside of all delimiters, in order.
+
+    What is written in part between dollars is one formula.
+    """
+    return sorted(_merged(walk), key=lambda formula: formula.opens)
+
+
+def _merged(walk: Walk) -> Iterator[Formula]:
+    inline = {formula.opens: formula for formula in walk.found if not formula.display}
+    runs = _Runs(walk.source)
+    spans = [(formula.opens, formula.end, formula.display) for formula in walk.found]
+    spans += [(start, end, True) for start, end in walk.skipped]
+    at = 0
+    for start, end, breaks in sorted(spans):
+        runs.read(at, start)
+        if breaks:
+            runs.close()
+        else:
+            runs.take(start, end)
+        at = max(at, end)
+    runs.read(at, len(walk.source))
+    runs.close()
+    swallowed: set[int] = set()
+    for start, end, formulas in runs.statements:
+        swallowed.update(formulas)
+        parts, at = [], start
+        for opens in formulas:
+            inner = inline[opens]
+            blanked = " " * (inner.start - opens) + inner.text
+            parts += [walk.source[at:opens], blanked.ljust(inner.end - opens)]
+            at = inner.end
+        text = "".join((*parts, walk.source[at:end]))
+        shift = len(text) - len(text.lstrip())
+        yield Formula(text.strip(), start + shift, end, False, start)
+    yield from (formula for formula in walk.found if formula.opens not in swallowed)
+
+
+class _Runs:
+    """Rows of mathematical signs; those with a relation outside of dollars are statements."""
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+        self.statements: list[tuple[int, int, tuple[int, ...]]] = []
+        self.spans: list[tuple[int, int]] = []
+        self.formulas: list[int] = []
+        self.relations: list[int] = []
+        self.depth = 0
+
+    def read(self, start: int, end: int) -> None:
+        for match in _TOKEN.finditer(self.source, start, end):
+            within = self.depth and match[0] in (",", ".")
+            if (match["none"] and not within) or (match["word"] and self.is_prose(match)):
+                self.close()
+                continue
+            if match[0] in ")]}" and not self.depth:
+                self.close()
+                continue
+            if match["relation"]:
+                self.relations.append(match.start())
+                if self.depth == 1 and self.source[self.spans[0][0]] in "([{":
+                    del self.spans[0]  # the brackets are those of the sentence
+                    self.depth = 0
+            self.depth += (match[0] in "([{") - (match[0] in ")]}")
+            self.spans.append(match.span())
+
+    def take(self, start: int, end: int) -> None:
+        """A formula between dollars."""
+        self.formulas.append(start)
+        self.spans.append((start, end))
+
+    def is_prose(self, match: re.Match[str]) -> bool:
+        word = match["word"]
+        if word in _NAMES or not _PROSE.fullmatch(word) or not _VOWEL.search(word):
+            return False
+        last = self.source[self.spans[-1][0]] if self.spans else ""
+        return not (len(word) <= 3 and word.islower() and last and last in "=+-−*/·(")
+
+    def close(self) -> None:
+        """End a row, and keep it if there is something on both sides of a relation in it."""
+        if self.relations and self.spans:
+            start, end = self.spans[0][0], self.spans[-1][1]
+            left = self.source[start : self.relations[0]]
+            right = self.source[self.relations[-1] + 1 : end]
+            sides = _LETTER.search(left) and _LETTER.search(right)
+            if sides and re.search(r"[^\W\d_]", left + right):
+                self.statements.append((start, end, tuple(self.formulas)))
+        self.spans, self.formulas, self.relations, self.depth = [], [], [], 0
