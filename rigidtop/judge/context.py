@@ -1,0 +1,117 @@
+"""What is known at a line of a text."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from sympy import MatrixBase
+
+from rigidtop.tree.nodes import Letter, Node
+
+
+@dataclass(frozen=True, eq=False)
+class Definition:
+    """What a letter stands for since a statement; `also` are expressions shown to be equal to it.
+
+    `places` are the letters of which it is a function where the text says so, `index` is the letter
+    that counts particles in its name.
+    """
+
+    node: Node
+    number: int
+    scope: tuple[int, ...] = ()
+    places: tuple[Node, ...] = ()
+    index: str = ""
+    also: tuple[Node, ...] = ()
+
+
+LAW, PREMISE, SETTING, LINEAR = "law", "premise", "setting", "linear"
+"""Why something holds: a stated law, what fixes a letter, a special motion, an approximation."""
+FORCED = "forced"
+"""Or Lagrange's equation with a force that the Lagrangian does not have."""
+
+
+@dataclass(frozen=True, eq=False)
+class Constraint:
+    """Two sides that are equal, for all times or at one `instant`."""
+
+    left: Node
+    right: Node
+    number: int
+    kind: str
+    scope: tuple[int, ...] = ()
+    instant: str = ""
+    until: int | None = None
+    """The sentence with which it ends, where it is said of one place."""
+
+
+@dataclass(frozen=True)
+class Habits:
+    """How a whole text uses its letters.
+
+    `moving` are those that have a rate somewhere, `functions` those that are written with a place
+    behind them, `indices` count particles; `own` are i and e where the text makes them letters, and
+    `lengths` are letters that stand for the length of the vector of that name.
+    """
+
+    moving: frozenset[Letter] = frozenset()
+    functions: Mapping[Letter, tuple[Node, ...]] = field(default_factory=dict)
+    indices: frozenset[str] = frozenset()
+    own: frozenset[Letter] = frozenset()
+    primes_are_rates: bool = False
+    lengths: frozenset[Letter] = frozenset()
+
+
+@dataclass(frozen=True, eq=False)
+class Context:
+    """Definitions, constraints, instants (with their time, where it is said) and letters so far."""
+
+    habits: Habits
+    definitions: Mapping[Letter, Definition] = field(default_factory=dict)
+    constraints: tuple[Constraint, ...] = ()
+    instants: Mapping[str, Node | None] = field(default_factory=dict)
+    letters: frozenset[Letter] = frozenset()
+    not_zero: tuple[Node, ...] = ()
+    results: frozenset[Letter] = frozenset()
+    """Letters that come out of what holds, as forces and amplitudes do: they may be zero."""
+    supported: frozenset[int] = frozenset()
+    """The numbers of the statements from which something has been found to follow."""
+    lawless: bool = False
+    """Whether nothing is known of how things move: a Lagrangian is one function more."""
+    bases: tuple[MatrixBase, ...] = ()
+    """The axes in which components may be meant, each as a matrix of its unit vectors in space."""
+    basis: MatrixBase | None = None
+    bounds: tuple[tuple[Node, Node], ...] = ()
+    """What is said to be no smaller than something else."""
+    head: Letter | None = None
+    """The letter with which the chain begins that is being read."""
+
+    def forgetting(self, letter: Letter) -> Context:
+        """Without what a letter stands for."""
+        kept = {x: definition for x, definition in self.definitions.items() if x != letter}
+        return replace(self, definitions=kept)
+
+    def defining(self, letter: Letter, definition: Definition) -> Context:
+        """With a letter that stands for something from here on."""
+        return replace(self, definitions={**self.definitions, letter: definition})
+
+    def holding(self, constraint: Constraint) -> Context:
+        """With something more that holds."""
+        return replace(self, constraints=(*self.constraints, constraint))
+
+    def knowing(self, letters: frozenset[Letter]) -> Context:
+        return replace(self, letters=self.letters | letters)
+
+    def within(self, scope: tuple[int, ...], sentence: int | None = None) -> Context:
+        """What is left of it in another scope: what was set in one that has ended is over."""
+        kept = tuple(
+            c
+            for c in self.constraints
+            if (_is_open(c.scope, scope) or c.kind == LAW) and c.until in (None, sentence)
+        )
+        return replace(self, constraints=kept)
+
+
+def _is_open(scope: tuple[int, ...], now: tuple[int, ...]) -> bool:
+    return now[: len(scope)] == scope

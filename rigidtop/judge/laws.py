@@ -1,0 +1,340 @@
+"""What holds in a context as expressions that vanish: constraints, Lagrange's equations, rates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import sympy
+from sympy import Expr, Integer, MatrixBase, Symbol
+
+from rigidtop.judge import worlds
+from rigidtop.judge.context import FORCED, LAW, LINEAR, PREMISE, Constraint, Context
+from rigidtop.judge.jets import TIME, Jet, at_instant, jet_of, jets, rate, symbol
+from rigidtop.judge.meaning import (
+    LARGEST,
+    Meaning,
+    Memory,
+    UnclearError,
+    is_vector,
+    pairs,
+    particles,
+    plain,
+)
+from rigidtop.tree.nodes import Letter
+
+MULTIPLIERS = frozenset({"λ", "μ", "Λ"})
+"""Letters that are multipliers where a Lagrangian is linear in them."""
+
+LAGRANGIANS = (Letter("L"), Letter("ℒ"), Letter("𝓛"))
+_KINETIC = (Letter("T"), Letter("K"), Letter("E", "c"), Letter("E", "k"), Letter("E", "kin"))
+_POTENTIAL = (Letter("V"), Letter("U"), Letter("E", "p"), Letter("E", "pot"))
+ENERGIES = frozenset({*_KINETIC, *_POTENTIAL})
+"""Letters of kinetic and potential energies."""
+
+INSTANTS_OF_TIME = 4
+"""What holds for all times and has the time in it is asked at so many."""
+
+
+@dataclass(frozen=True, eq=False)
+class Residual:
+    """An expression that vanishes, and the statements that say so."""
+
+    expression: Expr
+    rests_on: frozenset[int]
+    kind: str = PREMISE
+    constraint: Constraint | None = None
+    instant: str = ""
+
+
+def residuals(context: Context, memory: Memory, instant: str = "") -> list[Residual]:
+    """Everything that vanishes in a context, Lagrange's equations among it; at an instant too."""
+    made = [each for c in context.constraints for each in _of(c, context, memory)]
+    made += [] if context.lawless else lagrange(context, memory, made)
+    return then(_linear(made), context, memory, instant)
+
+
+def then(
+    pool: list[Residual], context: Context, memory: Memory, instant: str = ""
+) -> list[Residual]:
+    """What holds, with what it says of other instants: laws hold there, and what is conserved is
+    what it is now."""
+    instants = {each.instant for each in pool} | {instant}
+    made = list(pool)
+    for name in sorted(instants - {""}):
+        always = [each for each in pool if not each.instant]
+        for each in [*always, *conserved(context, memory, always)]:
+            here = each.expression
+            there = moved(here, name, context, memory)
+            gap = here - there if each.kind == _KEPT else there
+            if gap != 0 and gap != here:
+                made.append(Residual(gap, each.rests_on, each.kind, None, name))
+    return made
+
+
+_KEPT = "kept"
+
+
+def conserved(context: Context, memory: Memory, pool: Sequence[Residual]) -> list[Residual]:
+    """The quantities with a name that do not change, as what they are."""
+    made = []
+    for letter, definition in context.definitions.items():
+        if definition.index or is_vector(letter):
+            continue
+        meaning = Meaning(context, memory)
+        try:
+            value = meaning.scalar(letter)
+        except UnclearError:
+            continue
+        change = rate(value, context.habits.moving)
+        if change == 0 or value.has(TIME):
+            continue
+        key = letter, value, tuple(each.expression for each in pool)
+        if key not in memory.conserved:
+            equations, _, _ = surrounding([change], context, pool)
+            found = worlds.found(equations, worlds.symbols_of([*equations, *plain([change])]))
+            memory.conserved[key] = bool(found.holds([(plain([change])[0], Integer(0))]))
+        if memory.conserved[key]:
+            made.append(Residual(value, frozenset(meaning.used), _KEPT))
+    return made
+
+
+def _linear(made: list[Residual]) -> list[Residual]:
+    """With linear equations in place of the laws, where there is one for each that moves."""
+    approximate = [each for each in made if each.kind == LINEAR]
+    exact = [each for each in made if each.kind != LINEAR]
+    moved_by = {jet.letter for each in approximate for jet in _accelerations(each)}
+    replaced = [
+        each
+        for each in exact
+        if each.kind in (LAW, FORCED) and {jet.letter for jet in _accelerations(each)} & moved_by
+    ]
+    if any({jet.letter for jet in _accelerations(each)} - moved_by for each in replaced):
+        return exact
+    return approximate + [each for each in exact if each not in replaced]
+
+
+def _accelerations(residual: Residual) -> list[Jet]:
+    return [jet for jet in jets(residual.expression).values() if jet.order > 1]
+
+
+def _of(constraint: Constraint, context: Context, memory: Memory) -> list[Residual]:
+    meaning = Meaning(context, memory)
+    left, right = constraint.left, constraint.right
+    both = []
+    try:
+        for bound in particles(context.habits.indices, left, right):
+            inner = meaning.with_(bound=bound)
+            both += pairs(inner.value(left), inner.value(right))
+    except UnclearError:
+        return []
+    rests_on = frozenset(meaning.used | {constraint.number})
+    made = []
+    for left, right in both:
+        gap = left - right
+        if constraint.instant:
+            gap = moved(gap, constraint.instant, context, memory)
+        if gap != 0:
+            made.append(Residual(gap, rests_on, constraint.kind, constraint, constraint.instant))
+    return made
+
+
+def moved(expression: Expr, instant: str, context: Context, memory: Memory) -> Expr:
+    """What an expression is at an instant of the context."""
+    place = context.instants.get(instant)
+    time: Expr = Symbol(f"t\x1f{instant}", real=True)
+    if place is not None:
+        time = Meaning(context, memory).scalar(place)
+    return at_instant(expression, instant, context.habits.moving, time)
+
+
+# --- Lagrange's equations ------------------------------------------------------------------------
+
+
+def lagrangian(context: Context, memory: Memory) -> tuple[Expr, frozenset[int], Letter | None]:
+    """The Lagrangian of a context with what it rests on: L, else T − V; raises UnclearError."""
+    for letter in LAGRANGIANS:
+        if letter in context.definitions:
+            meaning = Meaning(context, memory)
+            value = meaning.value(letter)
+            if not isinstance(value, MatrixBase) and _is_lagrangian(value):
+                return value, frozenset(meaning.used), letter
+    kinetic = next((x for x in _KINETIC if x in context.definitions), None)
+    potential = next((x for x in _POTENTIAL if x in context.definitions), None)
+    if kinetic and potential and not any(x in context.letters for x in LAGRANGIANS):
+        meaning = Meaning(context, memory)
+        value = meaning.scalar(kinetic) - meaning.scalar(potential)
+        if _is_lagrangian(value):
+            return value, frozenset(meaning.used), None
+    raise UnclearError("there is no Lagrangian")
+
+
+def coordinates(L: Expr) -> list[Jet]:
+    """The letters whose rates an expression has."""
+    return sorted(
+        {replace(jet, order=0) for jet in jets(L).values() if jet.order == 1 and not jet.instant},
+        key=lambda jet: str(symbol(jet)),
+    )
+
+
+def _is_lagrangian(L: Expr) -> bool:
+    """Whether accelerations come of it: it has rates, more than linearly, and none higher."""
+    if any(jet.order > 1 for jet in jets(L).values()):
+        return False
+    for x, jet in jets(L).items():
+        if jet.order == 0 and jet.letter in ENERGIES and L.diff(x) in (1, -1):
+            return False
+    speeds = [symbol(replace(q, order=1)) for q in coordinates(L)]
+    return any(L.diff(v).diff(w) != 0 for v in speeds for w in speeds)
+
+
+def lagrange(
+    context: Context, memory: Memory, given: Sequence[Residual], L: Expr | None = None
+) -> list[Residual]:
+    """Lagrange's equations of the first kind, with a multiplier for each tie of coordinates."""
+    rests_on: frozenset[int] = frozenset()
+    try:
+        if L is None:
+            L, rests_on, _ = lagrangian(context, memory)
+    except UnclearError:
+        return []
+    q = coordinates(L)
+    own = [x for x, jet in jets(L).items() if _is_multiplier(L, x, jet)]
+    ties = [] if own else [each for each in given if _is_tie(each, q)]
+    made = [Residual(L.diff(x), rests_on, LAW) for x in own]
+    for jet in q:
+        place, speed = symbol(jet), symbol(replace(jet, order=1))
+        gap = rate(L.diff(speed), context.habits.moving | {jet.letter}) - L.diff(place)
+        used = rests_on
+        for k, tie in enumerate(ties):
+            slope = _slope(tie.expression, place, speed)
+            if slope != 0:
+                gap -= Symbol(f"multiplier {k}", real=True) * slope
+                used |= tie.rests_on
+        forced = any(_has_force(gap, each) for each in given if each.kind == FORCED)
+        if gap != 0 and gap.count_ops() <= LARGEST and not forced:
+            made.append(Residual(gap, used, LAW))
+    return made
+
+
+def _has_force(gap: Expr, law: Residual) -> bool:
+    """Whether a law is Lagrange's equation but for a force, which has no accelerations."""
+    force = (gap - law.expression).expand()
+    return not any(jet.order > 1 for jet in jets(force).values())
+
+
+def _is_multiplier(L: Expr, x: Symbol, jet: Jet) -> bool:
+    return (
+        jet.order == 0
+        and jet.letter.base in MULTIPLIERS
+        and not jet.letter.sub.isdigit()
+        and L.diff(x) != 0
+        and L.diff(x, 2) == 0
+        and not any(other.order for other in jets(L.diff(x)).values())
+        and _ties(L.diff(x), coordinates(L))
+    )
+
+
+def _ties(gap: Expr, q: Sequence[Jet]) -> bool:
+    """Whether an equation ties coordinates to each other, or one to a length."""
+    found = [symbol(jet) for jet in q if gap.has(symbol(jet))]
+    if len(found) > 1:
+        return True
+    return bool(found) and gap.is_polynomial(*found) and gap.subs(found[0], 0) != 0
+
+
+def _is_tie(residual: Residual, q: Sequence[Jet]) -> bool:
+    """Whether it ties coordinates to each other, as rolling does, and is no special motion."""
+    if residual.kind != PREMISE or residual.instant:
+        return False
+    found = jets(residual.expression).values()
+    tied = {replace(jet, order=0) for jet in found} & {*q}
+    order = max((jet.order for jet in found), default=0)
+    linear = order == 0 or all(
+        residual.expression.diff(symbol(replace(jet, order=1)), 2) == 0 for jet in tied
+    )
+    return len(tied) > 1 and order <= 1 and linear
+
+
+def _slope(tie: Expr, place: Symbol, speed: Symbol) -> Expr:
+    has_rates = any(jet.order for jet in jets(tie).values())
+    return tie.diff(speed if has_rates else place)
+
+
+# --- What belongs to a question ------------------------------------------------------------------
+
+
+def base_of(x: Symbol) -> object:
+    """The letter of a number, whatever its order; numbers of another instant are others."""
+    jet = jet_of(x)
+    return x if jet is None else (jet.letter, jet.place, jet.instant)
+
+
+def surrounding(
+    asked: Iterable[Expr], context: Context, pool: Sequence[Residual]
+) -> tuple[list[Expr], frozenset[int], list[Residual]]:
+    """The equations, with their rates, that have to do with what is asked; what they rest on."""
+    wanted = list(asked)
+    need = {base_of(x) for e in wanted for x in e.free_symbols} - {TIME}
+    chosen: list[Residual] = []
+    left = list(pool)
+    grown = True
+    while grown:
+        grown = False
+        for each in list(left):
+            own = {base_of(x) for x in each.expression.free_symbols} - {TIME}
+            if own & need:
+                left.remove(each)
+                chosen.append(each)
+                need |= own
+                grown = True
+    equations: list[Expr] = []
+    orders = _orders([*wanted, *(each.expression for each in chosen)])
+    for each in chosen:
+        equations += _prolonged(each, orders, context)
+    rests_on = frozenset().union(*(each.rests_on for each in chosen))
+    return plain(equations), rests_on, chosen
+
+
+def _prolonged(residual: Residual, orders: dict[object, int], context: Context) -> list[Expr]:
+    """An equation with its rates, as far as rates of its letters are asked."""
+    made = [residual.expression]
+    if residual.instant:
+        return made
+    moving = context.habits.moving
+    here = residual.expression
+    if here.has(TIME) and all(not j.order and j.letter not in moving for j in jets(here).values()):
+        # Nothing in it moves but the time: it holds at every time.
+        return made + [
+            here.xreplace({TIME: sympy.Rational(k, 7)}) for k in range(1, INSTANTS_OF_TIME)
+        ]
+    for _ in range(3):
+        here = rate(here, moving)
+        beyond = any(n > orders.get(x, 0) for x, n in _orders([here]).items())
+        if here == 0 or beyond or here.count_ops() > LARGEST:
+            break
+        made.append(here)
+    return made
+
+
+def _orders(expressions: Iterable[Expr]) -> dict[object, int]:
+    made: dict[object, int] = {}
+    for expression in expressions:
+        for jet in jets(expression).values():
+            key = jet.letter, jet.place, jet.instant
+            made[key] = max(made.get(key, 0), jet.order)
+    return made
+
+
+def highest(equations: Sequence[Expr]) -> list[Symbol]:
+    """The highest rate of each letter that has one."""
+    orders = _orders(equations)
+    found = {x: jet for e in equations for x, jet in jets(e).items()}
+    return sorted(
+        (
+            x
+            for x, jet in found.items()
+            if jet.order and orders[jet.letter, jet.place, jet.instant] == jet.order
+        ),
+        key=str,
+    )

@@ -1,0 +1,761 @@
+"""What a formula means in a context: an expression of SymPy in the numbers of a world.
+
+Letters that stand for something are put in, rates are taken by the chain rule, vectors are columns
+of three components, and sums run over three particles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Rational, Symbol
+from sympy.core.function import AppliedUndef
+
+from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.jets import TIME, Jet, at_instant, jet_of, jets, rate, symbol
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+
+Value = Any
+"""An expression, or a matrix of expressions."""
+
+PARTICLES = 3
+"""Of a sum over particles so many are taken."""
+
+NODES = 24
+"""Places at which the integrand of an integral is taken (Gauss and Legendre)."""
+
+LARGEST = 4_000
+"""No expression has more operations."""
+
+DEEPEST = 40
+"""Definitions are not put into definitions deeper."""
+
+
+class UnclearError(Exception):
+    """Why a formula has no meaning that could be judged."""
+
+
+@dataclass(frozen=True, slots=True)
+class Meant(Node):
+    """An expression in place of a formula: what was solved for a letter."""
+
+    value: Value
+
+
+@dataclass
+class Memory:
+    """What letters stood for when they were last asked, with what that rested on."""
+
+    values: dict[object, tuple[Value, frozenset[int], dict[Letter, Definition | None]]] = field(
+        default_factory=dict
+    )
+    conserved: dict[object, bool] = field(default_factory=dict)
+
+
+@dataclass
+class Meaning:
+    """What finds values in one context, and notes in `used` which statements they rest on.
+
+    With `known` it keeps the value of each node by its identity, for trees that share their parts.
+    `held` letters are taken as numbers of their own whatever they stand for; `sign` is that of ±;
+    `bound` says which particle an index is; `chosen` puts another expression of a letter in place
+    of its definition.
+    """
+
+    context: Context
+    memory: Memory = field(default_factory=Memory)
+    held: frozenset[Letter] = frozenset()
+    sign: int = 1
+    bound: Mapping[str, int] = field(default_factory=dict)
+    chosen: Mapping[Letter, Node] = field(default_factory=dict)
+    used: set[int] = field(default_factory=set)
+    known: dict[int, Value] | None = None
+    consulted: dict[Letter, Definition | None] = field(default_factory=dict)
+    depth: int = 0
+
+    @property
+    def moving(self) -> frozenset[Letter]:
+        return self.context.habits.moving
+
+    def value(self, node: Node) -> Value:
+        """Raises UnclearError."""
+        if self.known is not None and id(node) in self.known:
+            return self.known[id(node)]
+        handler = _HANDLERS.get(type(node))
+        if handler is None:
+            raise UnclearError(f"{type(node).__name__.lower()} is not judged")
+        return handler(self, node)
+
+    def remembering(self, *nodes: Node) -> Meaning:
+        """What has the values of these trees, and of all parts of them, at hand."""
+        known: dict[int, Value] = {}
+        for node in nodes:
+            for part in reversed([*n.walked(node)]):
+                try:
+                    known[id(part)] = self.with_(known=known).value(part)
+                except UnclearError:
+                    continue
+        return self.with_(known=known)
+
+    def scalar(self, node: Node) -> Expr:
+        value = self.value(node)
+        if isinstance(value, MatrixBase):
+            if value.shape == (1, 1):
+                return value[0, 0]
+            raise UnclearError("a vector where a number has to be")
+        return value
+
+    def rate(self, value: Value) -> Value:
+        if isinstance(value, MatrixBase):
+            return value.applyfunc(lambda x: rate(x, self.moving))
+        return rate(value, self.moving)
+
+    def with_(self, **changes: object) -> Meaning:
+        """The same with something changed; what it uses is noted here too."""
+        return replace(self, **changes)  # type: ignore[arg-type]
+
+    # --- letters ---------------------------------------------------------------------------------
+
+    def letter(self, letter: Letter) -> Value:
+        letter = self.named(letter)
+        if letter in self.held:
+            return self.free(letter)
+        if letter in self.chosen:
+            return self.with_(chosen={}).value(self.chosen[letter])
+        definition = self.definition(letter)
+        if definition is not None:
+            return self._defined(letter, definition)
+        if letter.base == "π" and not letter.sub and letter not in self.context.habits.own:
+            return sympy.pi
+        if letter == Letter("i") and letter not in self.context.habits.own:
+            return sympy.I
+        if letter == Letter("t"):
+            return TIME
+        places = self.context.habits.functions.get(letter)
+        if places is not None and not _is_time(places):
+            return self._unknown(letter, places)
+        component = self._component(letter)
+        if component is not None:
+            return component
+        vector = replace(letter, bold=True)
+        if letter in self.context.habits.lengths:
+            return _length(self.letter(vector))
+        return self.free(letter)
+
+    def named(self, letter: Letter) -> Letter:
+        """The letter, with the sign that ± has now."""
+        if "±" in letter.sub or "∓" in letter.sub:
+            signs = "+-" if self.sign > 0 else "-+"
+            letter = replace(letter, sub=letter.sub.replace("±", signs[0]).replace("∓", signs[1]))
+        return letter
+
+    def definition(self, letter: Letter) -> Definition | None:
+        found = self.context.definitions.get(letter)
+        self.consulted[letter] = found
+        return found
+
+    def index_of(self, letter: Letter) -> str:
+        """The index of particles in its name, if it has one that is bound."""
+        return next((x for x in self.bound if letter.sub == x or letter.sub.endswith("," + x)), "")
+
+    def free(self, letter: Letter) -> Value:
+        """Numbers of its own for a letter."""
+        index = self.index_of(letter)
+        place = (self.bound[index],) if index else ()
+        if is_vector(letter):
+            fixed = None if letter in self.moving else _basis(letter)
+            if fixed is not None:
+                return fixed
+            return ImmutableMatrix([symbol(Jet(letter, 0, (*place, k))) for k in range(3)])
+        return symbol(Jet(letter, 0, place))
+
+    def _defined(self, letter: Letter, definition: Definition) -> Value:
+        key = letter, self.sign, self.held, tuple(self.bound.items())
+        known = self.memory.values.get(key)
+        definitions = self.context.definitions
+        if known is None or any(definitions.get(x) is not d for x, d in known[2].items()):
+            if self.depth > DEEPEST:
+                raise UnclearError(f"{letter.base} is defined by itself")
+            bound = self.bound
+            inner = self.with_(
+                used=set(), consulted={letter: definition}, depth=self.depth + 1, bound=bound
+            )
+            value = inner.value(definition.node)
+            if _size(value) > LARGEST:
+                raise UnclearError("it becomes too long")
+            known = value, frozenset(inner.used | {definition.number}), inner.consulted
+            self.memory.values[key] = known
+        self.used |= known[1]
+        self.consulted |= known[2]
+        return known[0]
+
+    def _unknown(self, letter: Letter, places: Sequence[Node]) -> Expr:
+        function = sympy.Function(function_name(letter), real=True)
+        return function(*(self.scalar(x) for x in places))
+
+    def _component(self, letter: Letter) -> Expr | None:
+        """v_x or ω_1 where the vector of that letter has a value in other letters."""
+        for names in ("xyz", "123"):
+            if len(letter.sub) == 1 and letter.sub in names and not letter.bold:
+                vector = Letter(letter.base, "", letter.mark, True)
+                definition = self.definition(vector)
+                if definition is None or isinstance(definition.node, Meant):
+                    continue
+                if letter not in n.letters(definition.node):
+                    value = self.letter(vector)
+                    if isinstance(value, MatrixBase) and value.shape == (3, 1):
+                        return value[names.index(letter.sub)]
+        return None
+
+    # --- functions and derivatives ---------------------------------------------------------------
+
+    def call(self, node: n.Call) -> Value:
+        function, places = node.function, node.places
+        order = 0
+        while isinstance(function, (n.Primed, n.Rate)):
+            order += function.order
+            function = function.of
+        if not isinstance(function, Letter):
+            raise UnclearError("a function that is no letter")
+        if _is_time(places):
+            return self._differentiated(self.letter(function), order)
+        definition = self.definition(function)
+        usual = (definition.places if definition else ()) or self.context.habits.functions.get(
+            function, ()
+        )
+        if len(places) == 1 and function in self.moving and places[0] != function:
+            # x(0), where x is a function of the time
+            return self._at_time(self._differentiated(self.letter(function), order), places[0])
+        if definition is None:
+            return self._slope(self._unknown(function, places), places, order)
+        value = self._slope(self.letter(function), usual or places, order)
+        for there, usually in zip(places, usual, strict=False):
+            if there != usually:
+                value = _put(value, self.scalar(usually), self.scalar(there))
+        return value
+
+    def _differentiated(self, value: Value, order: int) -> Value:
+        for _ in range(order):
+            value = self.rate(value)
+        return value
+
+    def _slope(self, value: Value, places: Sequence[Node], order: int) -> Value:
+        for _ in range(order):
+            if len(places) != 1:
+                raise UnclearError("a prime on a function of several letters")
+            value = _by(value, self.scalar(places[0]))
+        return value
+
+    def _at_time(self, value: Value, place: Node) -> Value:
+        time = self.scalar(place)
+        instant = f"t={sympy.srepr(time)}"
+
+        def there(x: Expr) -> Expr:
+            return at_instant(x, instant, self.moving, time)
+
+        return value.applyfunc(there) if isinstance(value, MatrixBase) else there(value)
+
+    def primed(self, node: n.Primed) -> Value:
+        of = n.ungrouped(node.of)
+        if isinstance(of, n.Call):
+            return self.call(n.Call(n.Primed(of.function, node.order), of.places))
+        if isinstance(of, Letter):
+            marked = replace(of, mark=of.mark + "′" * node.order)
+            places = self.context.habits.functions.get(of, ())
+            if places and not _is_time(places):
+                return self._slope(self._held_for(of).letter(of), places, node.order)
+            if self.context.habits.primes_are_rates and of in self.moving:
+                return self._differentiated(self.letter(of), node.order)
+            return self.letter(marked)
+        raise UnclearError("a prime on what is neither a letter nor a function")
+
+    def derivative(self, node: n.Derivative) -> Value:
+        of = n.ungrouped(node.of)
+        value, meaning = self._to_differentiate(of, node.by)
+        for x in node.by:
+            place = meaning.scalar(x)
+            in_time = place == TIME and not node.partial
+            value = self.rate(value) if in_time else _by(value, place)
+        return self._released(value, meaning.held - self.held)
+
+    def _to_differentiate(self, of: Node, by: Sequence[Node]) -> tuple[Value, Meaning]:
+        """A value in the letters by which it is differentiated, and with what is held for that."""
+        meaning = self
+        for x in by:
+            bare = x.of if isinstance(x, n.Rate) else x
+            if isinstance(bare, Letter):
+                letter = self.named(bare)
+                if self.definition(letter) is not None and not isinstance(x, n.Rate):
+                    meaning = meaning.with_(held=meaning.held | {letter})
+        if isinstance(of, Letter):
+            meaning = meaning._held_for(of)
+        value = meaning.value(of)
+        if isinstance(of, Letter) and value == self.free(of):
+            raise UnclearError(f"nothing says what {of.base} is")
+        return value, meaning
+
+    def _held_for(self, function: Letter) -> Meaning:
+        """Momenta that a function is written in stay what they are while it is differentiated."""
+        definition = self.definition(self.named(function))
+        node = self.chosen.get(function) or (definition.node if definition else None)
+        if node is None or self._has_rates(node):
+            return self
+        momenta = {x for x in n.letters(node) if self._is_momentum(x)}
+        return self.with_(held=self.held | momenta) if momenta else self
+
+    def _has_rates(self, node: Node) -> bool:
+        return any(isinstance(x, n.Rate) for x in n.walked(node)) or any(
+            self.context.definitions[x].node is not node
+            and self._has_rates(self.context.definitions[x].node)
+            for x in n.letters(node)
+            if x in self.context.definitions and not self._is_momentum(x) and self.depth < 8
+        )
+
+    def _is_momentum(self, letter: Letter) -> bool:
+        """Whether it stands for something that has rates, and is one number of the state itself."""
+        definition = self.context.definitions.get(letter)
+        if definition is None or letter.base not in ("p", "P", "π", "J", "ℓ", "l", "D", "S"):
+            return False
+        if isinstance(definition.node, Meant):
+            return any(jet.order for jet in jets(sympy.sympify(definition.node.value)).values())
+        return any(isinstance(x, (n.Rate, n.Derivative)) for x in n.walked(definition.node))
+
+    def _released(self, value: Value, held: frozenset[Letter]) -> Value:
+        """What was held, put in again."""
+        for letter in held:
+            own, meant = self.free(letter), self.letter(letter)
+            if not isinstance(own, MatrixBase) and not isinstance(meant, MatrixBase):
+                value = _put(value, own, meant)
+        return value
+
+    # --- sums, integrals -------------------------------------------------------------------------
+
+    def total(self, node: n.Total) -> Value:
+        names = [x.base for x in node.index]
+        spans = [self._span(node) for _ in names]
+        terms = [self.value(node.of)] if not names else []
+        if names:
+            terms = [
+                self.with_(bound={**self.bound, **dict(zip(names, places, strict=True))}).value(
+                    node.of
+                )
+                for places in _places(spans)
+            ]
+        return _added(terms) if node.sign == "Σ" else _multiplied(terms)
+
+    def _span(self, node: n.Total) -> range:
+        if isinstance(node.upper, n.Number) and isinstance(node.lower, n.Number):
+            first, last = int(node.lower.value), int(node.upper.value)
+            if 0 <= last - first < 12:
+                return range(first, last + 1)
+            raise UnclearError("a sum over many terms")
+        return range(PARTICLES)
+
+    def integral(self, node: n.Integral) -> Expr:
+        if node.lower is None or node.upper is None or not isinstance(node.by, Letter):
+            raise UnclearError("an integral without limits")
+        meaning = self.with_(held=self.held | {node.by})
+        x = meaning.free(node.by) if node.by != Letter("t") else TIME
+        integrand = meaning.scalar(node.of)
+        lower, upper = self.scalar(node.lower), self.scalar(node.upper)
+        if integrand.is_polynomial(x):
+            return sympy.integrate(sympy.expand(integrand), (x, lower, upper))
+        middle, half = (lower + upper) / 2, (upper - lower) / 2
+        places, weights = np.polynomial.legendre.leggauss(NODES)
+        terms = (
+            w * integrand.xreplace({x: middle + half * p})
+            for p, w in zip(map(float, places), map(float, weights), strict=True)
+        )
+        return half * sympy.Add(*terms)
+
+
+def particles(names: frozenset[str], *sides: Node, most: int = PARTICLES) -> list[dict[str, int]]:
+    """Which particle each index is that stands outside of all sums, for all cases."""
+    bound: list[dict[str, int]] = [{}]
+    for index in sorted({x for side in sides for x in _free_indices(side, names)}):
+        bound = [{**each, index: k} for each in bound for k in range(most)]
+    return bound
+
+
+def _free_indices(node: Node, names: frozenset[str]) -> set[str]:
+    if isinstance(node, n.Total):
+        inner = {x for part in n.parts(node) for x in _free_indices(part, names)}
+        return inner - {x.base for x in node.index}
+    if isinstance(node, Letter):
+        return {x for x in names if node.sub == x or node.sub.endswith("," + x)}
+    return {x for part in n.parts(node) for x in _free_indices(part, names)}
+
+
+def is_vector(letter: Letter) -> bool:
+    """Whether it is written as a vector."""
+    return letter.bold or letter.mark == "hat"
+
+
+def function_name(letter: Letter) -> str:
+    """The name of the function of SymPy that an unknown function is."""
+    return "\x1f".join((letter.base, letter.sub, letter.mark))
+
+
+def plain(expressions: Sequence[Expr]) -> list[Expr]:
+    """Unknown functions and their slopes as numbers of their own, alike in all expressions."""
+    kinds = (AppliedUndef, sympy.Derivative, sympy.Subs)
+    atoms = set().union(*(x.atoms(*kinds) for x in expressions)) if expressions else set()
+    if not atoms:
+        return list(expressions)
+    order = sorted(atoms, key=lambda x: (-x.count_ops(), sympy.default_sort_key(x)))
+    made = list(expressions)
+    for atom in order:
+        number = Symbol(f"f({sympy.srepr(atom)})", real=True)
+        made = [x.xreplace({atom: number}) for x in made]
+    return made
+
+
+def pairs(left: Value, right: Value) -> list[tuple[Expr, Expr]]:
+    """Both sides, entry by entry.  Raises UnclearError where they are not of one kind."""
+    if isinstance(left, MatrixBase) or isinstance(right, MatrixBase):
+        if right == 0 and isinstance(left, MatrixBase):
+            right = sympy.zeros(*left.shape)
+        if left == 0 and isinstance(right, MatrixBase):
+            left = sympy.zeros(*right.shape)
+        left, right = _unit_times(left, right), _unit_times(right, left)
+        if not (isinstance(left, MatrixBase) and isinstance(right, MatrixBase)):
+            raise UnclearError("one side is a number, the other is none")
+        if left.shape != right.shape and left.shape == right.shape[::-1]:
+            right = right.T
+        if left.shape != right.shape:
+            raise UnclearError("the sides have different shapes")
+        return list(zip(left, right, strict=True))
+    return [(left, right)]
+
+
+def _unit_times(value: Value, other: Value) -> Value:
+    """A number as that multiple of the unit matrix that the other side is; 1 × 1 is a number."""
+    if isinstance(value, MatrixBase) or not isinstance(other, MatrixBase):
+        return value
+    rows, columns = other.shape
+    return value * sympy.eye(rows) if rows == columns else value
+
+
+# --- one handler a kind of node ------------------------------------------------------------------
+
+
+def _number(_: Meaning, node: n.Number) -> Expr:
+    value: Fraction = node.value
+    return Rational(value.numerator, value.denominator)
+
+
+def _power(meaning: Meaning, node: n.Power) -> Value:
+    e = Letter("e")
+    if node.base == e and e not in meaning.context.habits.own:
+        return sympy.exp(meaning.scalar(node.exponent))
+    base = meaning.value(node.base)
+    exponent = meaning.scalar(node.exponent)
+    if isinstance(base, MatrixBase):
+        if base.shape[1] == 1:
+            if exponent.is_Integer and exponent.is_even and exponent > 0:
+                return base.dot(base) ** (exponent / 2)
+            raise UnclearError("a power of a vector")
+        if not exponent.is_Integer:
+            raise UnclearError("a power of a matrix")
+        return base**exponent
+    return base**exponent
+
+
+def _apply(meaning: Meaning, node: n.Apply) -> Value:
+    of = meaning.value(node.of)
+    if node.name in ("det", "tr"):
+        if not isinstance(of, MatrixBase):
+            raise UnclearError(f"{node.name} of what is no matrix")
+        return of.det(method="berkowitz") if node.name == "det" else of.trace()
+    function = _NAMED.get(node.name)
+    if function is None or isinstance(of, MatrixBase):
+        raise UnclearError(f"{node.name} is not judged")
+    return function(of)
+
+
+def _length(value: Value) -> Expr:
+    if isinstance(value, MatrixBase):
+        return sympy.sqrt(value.dot(value))
+    return sympy.Abs(value)
+
+
+def _dot(meaning: Meaning, node: n.Dot) -> Value:
+    left, right = meaning.value(node.left), meaning.value(node.right)
+    if isinstance(left, MatrixBase) and isinstance(right, MatrixBase):
+        if left.shape == right.shape and left.shape[1] == 1:
+            return left.dot(right)
+        return _matrices(left, right)
+    return left * right
+
+
+def _cross(meaning: Meaning, node: n.Cross) -> Value:
+    left, right = meaning.value(node.left), meaning.value(node.right)
+    vectors = isinstance(left, MatrixBase), isinstance(right, MatrixBase)
+    if not any(vectors):
+        return left * right
+    if not all(vectors) or left.shape != (3, 1) or right.shape != (3, 1):
+        if left == 0 or right == 0:
+            return sympy.zeros(3, 1)
+        raise UnclearError("× between what are no vectors of three components")
+    return left.cross(right)
+
+
+def _quotient(meaning: Meaning, node: n.Quotient) -> Value:
+    under = meaning.scalar(node.under)
+    if under == 0:
+        raise UnclearError("a division by zero")
+    return meaning.value(node.over) / under
+
+
+def _matrix(meaning: Meaning, node: n.Matrix) -> Value:
+    made = ImmutableMatrix([[meaning.scalar(x) for x in row] for row in node.rows])
+    if made.shape == (3, 1):
+        return _in_space(meaning, made)
+    return made.det() if node.bracket == "|" else made
+
+
+def _column(meaning: Meaning, node: n.Tuple) -> Value:
+    made = ImmutableMatrix([meaning.scalar(x) for x in node.entries])
+    return _in_space(meaning, made) if made.shape == (3, 1) else made
+
+
+def _in_space(meaning: Meaning, column: MatrixBase) -> Value:
+    """Components in space of what is written in the axes that are meant."""
+    basis = meaning.context.basis
+    return column if basis is None else ImmutableMatrix(basis * column)
+
+
+def _transposed(meaning: Meaning, node: n.Transposed) -> Value:
+    value = meaning.value(node.of)
+    return value.T if isinstance(value, MatrixBase) else value
+
+
+def _taken(meaning: Meaning, node: n.Component) -> Value:
+    value = meaning.value(node.of)
+    names = "123" if node.index in "123" else "xyz"
+    if not isinstance(value, MatrixBase) or node.index not in names:
+        raise UnclearError("a component of what is no vector")
+    basis = meaning.context.basis
+    value = value if basis is None or value.shape != (3, 1) else basis.T * value
+    return value[names.index(node.index)]
+
+
+def _rate_of(meaning: Meaning, node: n.Rate) -> Value:
+    if node.frame and not node.frame.startswith(("space", "inertial", "fixed")):
+        if not node.frame.startswith(("body", "rot")):
+            raise UnclearError(f"a rate seen from {node.frame}")
+        vector = meaning.value(node.of)
+        turning = meaning.value(Letter("ω", bold=True))
+        for _ in range(node.order):
+            vector = meaning.rate(vector) - turning.cross(vector)
+        return vector
+    return meaning._differentiated(meaning.value(node.of), node.order)
+
+
+def _at(meaning: Meaning, node: n.At) -> Value:
+    value = meaning.value(node.of)
+    if node.letter is None or node.value is None:
+        raise UnclearError("a value at a place that is no equation")
+    if node.letter == Letter("t"):
+        return meaning._at_time(value, node.value)
+    return _put(value, meaning.scalar(node.letter), meaning.scalar(node.value))
+
+
+def _unit(_: Meaning, node: n.Unit) -> Expr:
+    known = UNITS.get(node.name)
+    if known is None:
+        raise UnclearError(f"the unit {node.name} is not known")
+    factor, powers = known
+    return factor * sympy.Mul(*(Symbol(f"unit {x}", positive=True) ** p for x, p in powers.items()))
+
+
+def _product(meaning: Meaning, node: n.Product) -> Value:
+    return _multiplied([meaning.value(x) for x in node.factors])
+
+
+def _sum(meaning: Meaning, node: n.Sum) -> Value:
+    return _added([meaning.value(x) for x in node.terms])
+
+
+def _sign(meaning: Meaning, node: n.PlusMinus) -> Value:
+    return (-meaning.sign if node.inverted else meaning.sign) * meaning.value(node.of)
+
+
+_HANDLERS: dict[type[Node], Callable[[Meaning, Any], Value]] = {
+    Letter: Meaning.letter,
+    n.Number: _number,
+    n.Unit: _unit,
+    n.Sum: _sum,
+    n.Negative: lambda m, node: -m.value(node.of),
+    n.PlusMinus: _sign,
+    n.Product: _product,
+    n.Quotient: _quotient,
+    n.Power: _power,
+    n.Root: lambda m, node: m.scalar(node.of) ** Rational(1, node.degree),
+    n.Apply: _apply,
+    n.Call: Meaning.call,
+    n.Group: lambda m, node: m.value(node.of),
+    n.Braced: lambda m, node: m.value(node.of),
+    n.Absolute: lambda m, node: _length(m.value(node.of)),
+    n.Rate: _rate_of,
+    n.Primed: Meaning.primed,
+    n.Derivative: Meaning.derivative,
+    n.Dot: _dot,
+    n.Cross: _cross,
+    n.Tuple: _column,
+    n.Matrix: _matrix,
+    n.Transposed: _transposed,
+    n.Component: _taken,
+    n.Integral: Meaning.integral,
+    n.Total: Meaning.total,
+    n.At: _at,
+    Meant: lambda _, node: node.value,
+}
+
+_NAMED = {
+    name: getattr(sympy, name)
+    for name in [
+        "sin",
+        "cos",
+        "tan",
+        "cot",
+        "sec",
+        "csc",
+        "sinh",
+        "cosh",
+        "tanh",
+        "coth",
+        "exp",
+        "asin",
+        "acos",
+        "atan",
+        "asinh",
+    ]
+} | {
+    "ln": sympy.log,
+    "log": sympy.log,
+    "arcsin": sympy.asin,
+    "arccos": sympy.acos,
+    "arctan": sympy.atan,
+    "arccot": sympy.acot,
+    "arsinh": sympy.asinh,
+    "arcosh": sympy.acosh,
+    "artanh": sympy.atanh,
+    "Re": sympy.re,
+    "Im": sympy.im,
+    "sgn": sympy.sign,
+}
+
+
+def _prefixed() -> dict[str, tuple[Expr, dict[str, int]]]:
+    plain: dict[str, tuple[Expr, dict[str, int]]] = {
+        "m": (Integer(1), {"m": 1}),
+        "g": (Rational(1, 1000), {"kg": 1}),
+        "s": (Integer(1), {"s": 1}),
+        "N": (Integer(1), {"kg": 1, "m": 1, "s": -2}),
+        "J": (Integer(1), {"kg": 1, "m": 2, "s": -2}),
+        "W": (Integer(1), {"kg": 1, "m": 2, "s": -3}),
+        "Pa": (Integer(1), {"kg": 1, "m": -1, "s": -2}),
+        "Hz": (Integer(1), {"s": -1}),
+        "A": (Integer(1), {"A": 1}),
+        "K": (Integer(1), {"K": 1}),
+        "C": (Integer(1), {"A": 1, "s": 1}),
+        "V": (Integer(1), {"kg": 1, "m": 2, "s": -3, "A": -1}),
+        "T": (Integer(1), {"kg": 1, "s": -2, "A": -1}),
+        "mol": (Integer(1), {"mol": 1}),
+        "rad": (Integer(1), {}),
+    }
+    prefixes = {"": 0, "k": 3, "M": 6, "G": 9, "c": -2, "d": -1, "m": -3, "μ": -6, "n": -9}
+    made = {
+        prefix + name: (factor * Rational(10) ** power, powers)
+        for name, (factor, powers) in plain.items()
+        for prefix, power in prefixes.items()
+    }
+    return made | {
+        "min": (Integer(60), {"s": 1}),
+        "h": (Integer(3600), {"s": 1}),
+        "d": (Integer(86400), {"s": 1}),
+        "l": (Rational(1, 1000), {"m": 3}),
+        "t": (Integer(1000), {"kg": 1}),
+        "°": (sympy.pi / 180, {}),
+        "%": (Rational(1, 100), {}),
+        "kg": (Integer(1), {"kg": 1}),
+        "sr": (Integer(1), {}),
+        "rpm": (2 * sympy.pi / 60, {"s": -1}),
+    }
+
+
+UNITS = _prefixed()
+"""Each unit with its factor and its powers of SI units."""
+
+
+def _basis(letter: Letter) -> MatrixBase | None:
+    """The fixed unit vector that a letter is by its name."""
+    for names in ("xyz", "ijk"):
+        if letter.base in names and not letter.sub and (letter.mark == "hat" or names == "ijk"):
+            return ImmutableMatrix([int(letter.base == x) for x in names])
+    if letter.base in "eu" and len(letter.sub) == 1:
+        for names in ("xyz", "123"):
+            if letter.sub in names and letter.mark in ("", "hat"):
+                return ImmutableMatrix([int(letter.sub == x) for x in names])
+    return None
+
+
+def _is_time(places: Sequence[Node]) -> bool:
+    return list(places) == [Letter("t")]
+
+
+def _by(value: Value, place: Expr) -> Value:
+    if not (place.is_Symbol and (place == TIME or jet_of(place) is not None)):
+        raise UnclearError("a derivative by what is no free letter")
+    return value.diff(place)
+
+
+def _put(value: Value, old: Expr, new: Expr) -> Value:
+    if not old.is_Symbol:
+        raise UnclearError("a function at another place")
+    return value.subs(old, new)
+
+
+def _places(spans: Sequence[range]) -> list[tuple[int, ...]]:
+    made: list[tuple[int, ...]] = [()]
+    for span in spans:
+        made = [(*each, k) for each in made for k in span]
+    return made
+
+
+def _size(value: Value) -> int:
+    entries = list(value) if isinstance(value, MatrixBase) else [value]
+    return sum(x.count_ops() for x in entries)
+
+
+def _added(values: Sequence[Value]) -> Value:
+    matrices = [x for x in values if isinstance(x, MatrixBase)]
+    if not matrices:
+        return sympy.Add(*values)
+    if any(not isinstance(x, MatrixBase) and x != 0 for x in values):
+        raise UnclearError("a sum of a vector and a number")
+    if len({x.shape for x in matrices}) > 1:
+        raise UnclearError("a sum of different shapes")
+    return ImmutableMatrix(*matrices[0].shape, [sympy.Add(*x) for x in zip(*matrices, strict=True)])
+
+
+def _matrices(left: MatrixBase, right: MatrixBase) -> Value:
+    if left.shape[1] != right.shape[0]:
+        raise UnclearError("a product of vectors, or of matrices that do not fit")
+    made = left * right
+    return made[0, 0] if made.shape == (1, 1) else made
+
+
+def _multiplied(values: Sequence[Value]) -> Value:
+    made: Value = Integer(1)
+    for value in values:
+        both = isinstance(made, MatrixBase) and isinstance(value, MatrixBase)
+        made = _matrices(made, value) if both else made * value
+    return made

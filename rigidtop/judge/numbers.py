@@ -1,0 +1,58 @@
+"""Sides that are numbers, perhaps with units: do they agree to the digits that are written?"""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import sympy
+from sympy import Expr
+
+from rigidtop.judge.jets import TIME, jets
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Node
+
+
+def are_numbers(left: Expr, right: Expr) -> bool:
+    """Whether neither side has a letter, and one of them more than an exact number."""
+    sides = (sympy.sympify(left), sympy.sympify(right))
+    return not any(jets(x) or x.has(TIME) for x in sides) and not any(
+        x.atoms(sympy.core.function.AppliedUndef) for x in sides
+    )
+
+
+def agree(left: Expr, right: Expr, digits: float) -> bool | None:
+    """Whether two numbers agree up to a share of them; None where their units do not fit."""
+    if right == 0 or left == 0:
+        return bool(sympy.N(left - right) == 0)
+    ratio = sympy.simplify(left / right)
+    if ratio.free_symbols:
+        return None
+    return bool(abs(complex(sympy.N(ratio)) - 1) <= digits)
+
+
+def share(node: Node, nearly: bool = False) -> float:
+    """By which share a number may be off that is written with so many digits; 0 if it is exact.
+
+    Where it is said to be `nearly` so, whole numbers are rounded too.
+    """
+    powers = {part for x in n.walked(node) if isinstance(x, n.Power) for part in n.parts(x)}
+    shares = [
+        float(Decimal(1).scaleb(_exponent(x.text)) / abs(Decimal(x.text)))
+        for x in n.walked(node)
+        if isinstance(x, n.Number) and x.value
+        if "." in x.text or (x not in powers and (nearly or len(x.text) > 2))
+    ]
+    return max(shares, default=0.0)
+
+
+def rounded(value: Expr, like: Node) -> str:
+    """A number with as many digits as another one is written with, its units aside."""
+    off = share(like)
+    figures = max(2, len(f"{1 / off:.0f}")) if off else 3
+    number = value.as_coeff_Mul()[0] if value.free_symbols else value
+    return f"{float(sympy.N(number)):.{figures}g}"
+
+
+def _exponent(text: str) -> int:
+    exponent = Decimal(text).as_tuple().exponent
+    return exponent if isinstance(exponent, int) else 0

@@ -1,0 +1,141 @@
+"""Expressions of SymPy evaluated at many points at once, with slopes and the size of their terms.
+
+Each part is worked out once, whichever expressions it occurs in.  No text is compiled or run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import sympy
+from numpy.typing import NDArray
+from sympy import Expr, Symbol
+
+Array = NDArray[Any]
+
+_FUNCTIONS: dict[type, tuple[Callable[[Array], Array], Callable[[Array, Array], Array]]] = {
+    sympy.sin: (np.sin, lambda x, y: np.cos(x)),
+    sympy.cos: (np.cos, lambda x, y: -np.sin(x)),
+    sympy.tan: (np.tan, lambda x, y: 1 + y * y),
+    sympy.cot: (lambda x: 1 / np.tan(x), lambda x, y: -1 - y * y),
+    sympy.sec: (lambda x: 1 / np.cos(x), lambda x, y: y * np.tan(x)),
+    sympy.csc: (lambda x: 1 / np.sin(x), lambda x, y: -y / np.tan(x)),
+    sympy.exp: (np.exp, lambda x, y: y),
+    sympy.log: (np.log, lambda x, y: 1 / x),
+    sympy.sinh: (np.sinh, lambda x, y: np.cosh(x)),
+    sympy.cosh: (np.cosh, lambda x, y: np.sinh(x)),
+    sympy.tanh: (np.tanh, lambda x, y: 1 - y * y),
+    sympy.coth: (lambda x: 1 / np.tanh(x), lambda x, y: 1 - y * y),
+    sympy.asin: (np.arcsin, lambda x, y: 1 / np.sqrt(1 - x * x)),
+    sympy.acos: (np.arccos, lambda x, y: -1 / np.sqrt(1 - x * x)),
+    sympy.atan: (np.arctan, lambda x, y: 1 / (1 + x * x)),
+    sympy.asinh: (np.arcsinh, lambda x, y: 1 / np.sqrt(1 + x * x)),
+    sympy.acosh: (np.arccosh, lambda x, y: 1 / np.sqrt(x * x - 1)),
+    sympy.atanh: (np.arctanh, lambda x, y: 1 / (1 - x * x)),
+    sympy.Abs: (lambda x: np.abs(x) + 0j, lambda x, y: np.sign(x.real) + 0j),
+    sympy.sign: (lambda x: np.sign(x.real) + 0j, lambda x, y: np.zeros_like(x)),
+    sympy.re: (lambda x: x.real + 0j, lambda x, y: np.ones_like(x)),
+    sympy.im: (lambda x: x.imag + 0j, lambda x, y: np.zeros_like(x)),
+    sympy.conjugate: (np.conj, lambda x, y: np.ones_like(x)),
+}
+"""Functions with their slopes, which are given the place and the value there."""
+
+
+class UnknownFunctionError(Exception):
+    """There are no numbers for a function."""
+
+
+@dataclass(frozen=True)
+class Values:
+    """Values of expressions (one a row) at points (one a column), slopes and sizes of terms.
+
+    `slopes` has the letters in between: (expressions, letters, points).
+    """
+
+    values: Array
+    sizes: NDArray[np.float64]
+    slopes: Array
+
+
+@dataclass
+class Program:
+    """What evaluates expressions in some letters at `points`: (letters, points)."""
+
+    letters: Sequence[Symbol]
+    points: Array
+    with_slopes: bool = False
+    _known: dict[Expr, tuple[Array, NDArray[np.float64], Array]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        count, points = self.points.shape
+        self._at = {x: k for k, x in enumerate(self.letters)}
+        self._zero = np.zeros((count if self.with_slopes else 0, points), complex)
+
+    def values(self, expressions: Sequence[Expr]) -> Values:
+        """Raises UnknownFunctionError."""
+        with np.errstate(all="ignore"):
+            rows = [self._of(sympy.sympify(each)) for each in expressions]
+        shape = (len(expressions), self.points.shape[1])
+        return Values(
+            np.array([row[0] for row in rows], complex).reshape(shape),
+            np.array([row[1] for row in rows], float).reshape(shape),
+            np.array([row[2] for row in rows], complex).reshape(
+                len(expressions), *self._zero.shape
+            ),
+        )
+
+    def _of(self, node: Expr) -> tuple[Array, NDArray[np.float64], Array]:
+        if node not in self._known:
+            self._known[node] = self._worked_out(node)
+        return self._known[node]
+
+    def _worked_out(self, node: Expr) -> tuple[Array, NDArray[np.float64], Array]:
+        points = self.points.shape[1]
+        if node.is_Symbol:
+            k = self._at[node]
+            slope = self._zero.copy()
+            if self.with_slopes:
+                slope[k] = 1
+            return self.points[k], np.abs(self.points[k]), slope
+        if not node.args:
+            value = np.full(points, complex(node))
+            return value, np.abs(value), self._zero
+        below = [self._of(arg) for arg in node.args]
+        if node.is_Add:
+            value = sum((part[0] for part in below), np.zeros(points, complex))
+            size = sum((part[1] for part in below), np.zeros(points))
+            return value, size, sum((part[2] for part in below), self._zero)
+        if node.is_Mul:
+            value, size, slope = below[0]
+            for other, larger, steeper in below[1:]:
+                slope = slope * other + value * steeper
+                value, size = value * other, size * larger
+            return value, size, slope
+        if node.is_Pow:
+            return self._power(*below)
+        known = _FUNCTIONS.get(node.func)
+        if known is None or len(below) != 1:
+            raise UnknownFunctionError(f"{node.func} has no numbers")
+        function, derivative = known
+        at, inner, slope = below[0]
+        value = function(at)
+        steep = derivative(at, value)
+        return value, np.abs(value) + np.abs(steep) * inner * 1e-3, slope * steep
+
+    def _power(
+        self,
+        base: tuple[Array, NDArray[np.float64], Array],
+        exponent: tuple[Array, NDArray[np.float64], Array],
+    ) -> tuple[Array, NDArray[np.float64], Array]:
+        x, size, slope = base
+        n, _, steep = exponent
+        value = x**n
+        grown = slope * n * x ** (n - 1)
+        if steep.any():
+            grown = grown + steep * value * np.log(x)
+        # The size of a power is that of a product; that of a root or a reciprocal is its own.
+        whole = np.all(n.imag == 0) and np.all(n.real >= 1)
+        return value, np.where(whole, size**n.real, np.abs(value)), grown

@@ -1,0 +1,285 @@
+"""The changes that a pen makes: what a statement would say with one sign, factor or letter else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node, Number
+from rigidtop.tree.plain import plain
+
+MOST = 900
+"""No more changes of one statement are tried."""
+
+_FUNCTIONS = {
+    "sin": ("cos", "tan"), "cos": ("sin",), "tan": ("sin", "cot"), "cot": ("tan",),
+    "sinh": ("cosh",), "cosh": ("sinh",),
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Change:
+    """A statement with one thing changed, and what that is in words."""
+
+    left: Node
+    right: Node
+    words: str
+    rank: float
+
+
+def changes(
+    left: Node,
+    right: Node,
+    known: frozenset[Letter],
+    moving: frozenset[Letter],
+    letter: Letter | None = None,
+    indices: frozenset[str] = frozenset(),
+) -> list[Change]:
+    """The likeliest first; with `letter` only those that put another letter in its place.
+
+    `known` are letters that may be put in, `moving` those that have rates; no letter is exchanged
+    for one that differs in an index of `indices`, of which a sum says what it means.
+    """
+    names = n.letters(left) | n.letters(right)
+    found = []
+    for side, other, is_left in ((right, left, False), (left, right, True)):
+        for node, words, rank in _changed(side, names, known, moving, letter, is_left):
+            sides = (node, other) if is_left else (other, node)
+            found.append(Change(*sides, words, rank + 0.1 * is_left))
+    if indices:
+        found = [each for each in found if not _exchanges(each, left, right, indices)]
+    return sorted(found, key=lambda change: change.rank)[:MOST]
+
+
+def _exchanges(change: Change, left: Node, right: Node, indices: frozenset[str]) -> bool:
+    """Whether letters that count have come in or gone with a letter."""
+    before, after = (
+        n.letters(left) | n.letters(right),
+        n.letters(change.left) | n.letters(change.right),
+    )
+    return any(indices & {*letter.sub} for letter in before ^ after)
+
+
+def _changed(
+    side: Node,
+    names: frozenset[Letter],
+    known: frozenset[Letter],
+    moving: frozenset[Letter],
+    letter: Letter | None,
+    is_left: bool,
+) -> Iterator[tuple[Node, str, float]]:
+    if letter is not None:
+        for other in sorted(known - {letter}, key=str):
+            if other.bold == letter.bold and letter in n.letters(side):
+                words = f"{plain(other)} in place of {plain(letter)}"
+                yield n.replaced(side, letter, other), words, 1.0
+        return
+    yield from _everywhere(side, lambda node: _single(node, names, known, moving))
+    yield from _times(side, names, known, moving, is_left)
+    angles = {n.ungrouped(x.of) for x in n.walked(side) if isinstance(x, n.Apply)}
+    for angle in sorted(angles, key=repr):
+        swapped = _swapped(side, angle)
+        if swapped != side:
+            yield swapped, f"sine and cosine of {plain(angle)} exchanged", 3.5
+
+
+def _everywhere(
+    side: Node, local: Callable[[Node], Iterator[tuple[Node, str, float]]]
+) -> Iterator[tuple[Node, str, float]]:
+    """Every tree in which one node is replaced by what `local` offers for it."""
+    for new, words, rank in local(side):
+        yield new, words, rank
+    below = n.parts(side)
+    for k, part in enumerate(below):
+        if isinstance(side, (n.Total, n.Integral)) and k > 0:
+            continue  # what is counted or integrated over has no name of its own
+        for new, words, rank in _everywhere(part, local):
+            yield n.rebuilt(side, [*below[:k], new, *below[k + 1 :]]), words, rank
+
+
+def _single(
+    node: Node, names: frozenset[Letter], known: frozenset[Letter], moving: frozenset[Letter]
+) -> Iterator[tuple[Node, str, float]]:
+    match node:
+        case n.Sum(terms):
+            for k, term in enumerate(terms):
+                turned = term.of if isinstance(term, n.Negative) else n.Negative(term)
+                words = f"another sign before {plain(_bare(term))}"
+                yield n.Sum((*terms[:k], turned, *terms[k + 1 :])), words, 0.0
+                if len(terms) > 2:
+                    left = n.Sum((*terms[:k], *terms[k + 1 :]))
+                    yield left, f"no {plain(_bare(term))}", 5.0
+        case n.Number(text):
+            value = node.value
+            for other in (2 * value, value / 2, value + 1, value - 1, 3 * value, value / 3):
+                if other > 0:
+                    yield _number(other), f"{other} in place of {text}", 1.5
+        case n.Apply(name, of):
+            for other_name in _FUNCTIONS.get(name, ()):
+                yield n.Apply(other_name, of), f"{other_name} in place of {name}", 2.0
+            yield n.Power(node, Number("2")), f"{plain(node)} squared", 2.5
+            if isinstance(of, Letter):
+                twice = n.Apply(name, n.Product((Number("2"), of)))
+                yield twice, f"{plain(twice)} in place of {plain(node)}", 3.0
+        case n.Power(base, exponent) if isinstance(exponent, Number):
+            for other in (exponent.value + 1, exponent.value - 1):
+                new = base if other == 1 else n.Power(base, _number(other))
+                if other > 0:
+                    yield new, f"{plain(new)} in place of {plain(node)}", 2.0
+            if exponent.value == 2:
+                yield n.Power(base, Number("4")), f"the fourth power of {plain(base)}", 3.0
+        case Letter():
+            yield n.Power(node, Number("2")), f"{plain(node)} squared", 2.2
+            if node in moving:
+                yield n.Rate(node, 1, True), f"a dot on {plain(node)}", 2.8
+            for other_letter in sorted(known | names, key=str):
+                alike = replace(other_letter, mark=node.mark) == node
+                if not alike and other_letter.bold == node.bold:
+                    words = f"{plain(other_letter)} in place of {plain(node)}"
+                    near = other_letter.base == node.base
+                    yield other_letter, words, 2.4 if near else 3.2
+        case n.Rate(of, order) if order > 0:
+            if order > 1:
+                yield n.Rate(of, order - 1, True), f"{order - 1} dot on {plain(of)}", 2.8
+            elif node.dotted:
+                yield of, f"no dot on {plain(of)}", 2.8
+            yield n.Rate(of, order + 1, node.dotted), f"one more dot on {plain(of)}", 3.0
+        case n.Cross(left, right):
+            yield n.Cross(right, left), "the factors of × exchanged", 1.0
+        case n.Group(n.Sum()):
+            yield n.Power(node, Number("2")), f"{plain(node)} squared", 3.0
+        case n.Root(of, _):
+            yield of, "no root", 3.0
+        case n.Quotient(over, under):
+            yield n.Quotient(under, over), "the fraction turned over", 3.0
+
+
+def _times(
+    side: Node,
+    names: frozenset[Letter],
+    known: frozenset[Letter],
+    moving: frozenset[Letter],
+    is_left: bool,
+) -> Iterator[tuple[Node, str, float]]:
+    """A sign, a factor or a letter more or less on the whole, or on one term or entry."""
+    near = [*sorted(names, key=str), *sorted(known - names, key=str)]
+    scalars = [x for x in near if not x.bold and x.base not in "πt"][:12]
+    factors: list[tuple[Node, str, float]] = [
+        (Number("2"), "2", 1.0),
+        (n.Quotient(Number("1"), Number("2")), "½", 1.0),
+        (Number("3"), "3", 2.6),
+        (n.Quotient(Number("1"), Number("3")), "⅓", 2.6),
+        (n.Quotient(Number("2"), Number("3")), "⅔", 2.7),
+        (n.Quotient(Number("4"), Number("3")), "4/3", 2.7),
+        (n.Quotient(Number("3"), Number("2")), "3/2", 2.7),
+        (Number("4"), "4", 2.7),
+        (n.Quotient(Number("1"), Number("4")), "¼", 2.7),
+    ]
+    factors += [(x, plain(x), 2.1) for x in scalars]
+    factors += [(n.Quotient(Number("1"), x), f"1/{plain(x)}", 2.3) for x in scalars]
+    factors += [
+        (n.Rate(x, 1, True), f"the rate of {plain(x)}", 2.9) for x in scalars if x in moving
+    ]
+    for name in ("sin", "cos"):
+        for x in scalars:
+            if any(isinstance(a, n.Apply) and n.ungrouped(a.of) == x for a in n.walked(side)):
+                yes = n.Apply(name, x)
+                factors.append((yes, plain(yes), 2.4))
+                factors.append((n.Quotient(Number("1"), yes), f"1/{plain(yes)}", 2.6))
+
+    def local(node: Node) -> Iterator[tuple[Node, str, float]]:
+        for k, term in enumerate(_terms(node)):
+            yield from _scaled(node, k, term, factors)
+
+    bare = side.of if isinstance(side, n.Rate) else side
+    named = is_left and isinstance(bare, Letter)
+    if not (named or isinstance(bare, (n.Sum, n.Tuple, n.Matrix, Number))):
+        yield _negated(side), "another sign", 0.2
+        for factor, words, rank in factors:
+            yield _product(factor, side), f"{words} times as much", rank
+    yield from _everywhere(side, local)
+
+
+def _terms(node: Node) -> tuple[Node, ...]:
+    """What can have a factor of its own: terms, entries, and what stands below a fraction."""
+    match node:
+        case n.Sum(terms):
+            return terms
+        case n.Tuple(entries):
+            return entries
+        case n.Matrix(rows):
+            return tuple(x for row in rows for x in row)
+        case n.Quotient():
+            return ()
+    return ()
+
+
+def _scaled(
+    node: Node, k: int, term: Node, factors: list[tuple[Node, str, float]]
+) -> Iterator[tuple[Node, str, float]]:
+    below = list(n.parts(node))
+    if _is_zero(term):
+        return
+    if not isinstance(node, n.Sum):
+        yield (
+            n.rebuilt(node, [*below[:k], _negated(term), *below[k + 1 :]]),
+            f"another sign before {plain(_bare(term))}",
+            0.3,
+        )
+    for factor, words, rank in factors:
+        bare = _bare(term)
+        grouped = n.Group(bare) if isinstance(bare, n.Sum) else bare
+        new: Node = n.Product((factor, grouped))
+        if isinstance(term, n.Negative):
+            new = n.Negative(new)
+        elif isinstance(term, n.PlusMinus):
+            new = replace(term, of=new)
+        yield (
+            n.rebuilt(node, [*below[:k], new, *below[k + 1 :]]),
+            f"{words} times {plain(bare)}",
+            rank,
+        )
+
+
+def _swapped(side: Node, angle: Node) -> Node:
+    """With sine and cosine of an angle exchanged everywhere."""
+    names = {"sin": "cos", "cos": "sin"}
+
+    def swap(node: Node) -> Node:
+        if isinstance(node, n.Apply) and n.ungrouped(node.of) == angle:
+            return replace(node, name=names.get(node.name, node.name))
+        return node
+
+    return n.mapped(side, swap)
+
+
+def _negated(side: Node) -> Node:
+    """The same with another sign, without two signs in a row."""
+    if isinstance(side, n.Negative):
+        return side.of
+    return n.Negative(n.Group(side) if isinstance(side, n.Sum) else side)
+
+
+def _product(factor: Node, side: Node) -> Node:
+    """The same times a factor, whose sign stands in front."""
+    if isinstance(side, n.Negative):
+        return n.Negative(_product(factor, side.of))
+    if isinstance(side, n.Product):
+        return n.Product((factor, *side.factors))
+    return n.Product((factor, n.Group(side) if isinstance(side, n.Sum) else side))
+
+
+def _bare(term: Node) -> Node:
+    return term.of if isinstance(term, (n.Negative, n.PlusMinus)) else term
+
+
+def _number(value: Fraction) -> Node:
+    if value.denominator == 1:
+        return Number(str(value.numerator))
+    return n.Quotient(Number(str(value.numerator)), Number(str(value.denominator)))
+
+
+def _is_zero(node: Node) -> bool:
+    return isinstance(node, Number) and node.value == 0

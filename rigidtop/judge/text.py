@@ -1,0 +1,336 @@
+"""A whole text, judged statement by statement."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from math import inf
+from typing import Final
+
+from rigidtop.judge.context import Context, Habits
+from rigidtop.judge.judge import Judge, Situation
+from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
+from rigidtop.read.cues import Cue
+from rigidtop.read.declared import declared
+from rigidtop.read.macros import Macros, defined
+from rigidtop.read.passages import Passage, passages
+from rigidtop.read.statements import statements
+from rigidtop.read.walk import places
+from rigidtop.terminal.limit import TooLong, within
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.statement import Statement, Unread
+
+A_STATEMENT = 10.0
+"""No statement is judged for longer than this (s, of the processor's time)."""
+
+LATE = "the time for the file was over"
+
+
+@dataclass(frozen=True)
+class Row:
+    """A statement of a text with the line in which it begins, and what became of it.
+
+    `number` is the one by which other outcomes rest on it.
+    """
+
+    line: int
+    statement: Statement | Unread
+    outcome: Outcome
+    passage: Passage
+    number: int
+
+    @property
+    def display(self) -> bool:
+        return self.passage.display
+
+    @property
+    def position(self) -> int:
+        """Where it begins in the text."""
+        return self.passage.start + self.statement.position
+
+
+def judged(source: str, macros: Macros | None = None, until: float = inf) -> tuple[Row, ...]:
+    """Every statement of a text, in order.
+
+    `macros` are those of other files.  After a time of `time.process_time` the rest is undecided,
+    and says so.
+    """
+    read, place = read_text(source, macros, until)
+    habits = habits_of([each for _, each in read if isinstance(each, Statement)])
+    context, judge = Context(habits), Judge()
+    rows: list[Row] = []
+    moments = instants(read)
+    scope: tuple[int, ...] | None = None
+    names = declared_letters(source)
+    cases = cases_of(read)
+    for number, (passage, each) in enumerate(read):
+        line = place(passage.start + each.position)[0]
+        if isinstance(each, Unread):
+            rows.append(Row(line, each, Outcome(UNREAD, each.reason), passage, number))
+            continue
+        if not each.relations:
+            if Cue.CONSTANT not in passage.cues:
+                continue
+            each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
+        context = context.within(passage.scope, passage.sentence)
+        opens = passage.scope != scope
+        at = situation(passage, number, moments[number], opens, names)
+        at = replace(at, case=passage.start in cases)
+        scope = passage.scope
+        if at.instant and is_time(each):
+            context = replace(context, instants={**context.instants, at.instant: each.sides[1]})
+            rows.append(Row(line, each, Outcome(DEFINITION, "a moment"), passage, number))
+            continue
+        outcome, context = in_time(judge, each, at, context, until)
+        rows.append(Row(line, each, outcome, passage, number))
+    return tuple(rows)
+
+
+def in_time(
+    judge: Judge, statement: Statement, at: Situation, context: Context, until: float = inf
+) -> tuple[Outcome, Context]:
+    """What becomes of a statement, unless that takes too long or breaks."""
+    if time.process_time() > until:
+        return Outcome(UNDECIDED, LATE), context
+    try:
+        with within(A_STATEMENT):
+            return judge.judged(statement, at, context)
+    except TooLong:
+        why = f"judging it takes longer than {A_STATEMENT:g} s"
+    except Exception as error:  # what a stranger wrote may break one statement, not the others
+        why = f"rigidtop itself fails here, please report it ({type(error).__name__}: {error})"
+    return Outcome(UNDECIDED, why), context
+
+
+# --- Reading -------------------------------------------------------------------------------------
+
+Read = list[tuple[Passage, Statement | Unread]]
+
+_SHAPES: Final = {"ϕ": "φ", "ϑ": "θ", "ϵ": "ε"}
+"""Letters that are written in two ways."""
+
+
+def read_text(
+    source: str, macros: Macros | None = None, until: float = inf, plain: bool = False
+) -> tuple[Read, Callable[[int], tuple[int, int]]]:
+    """The statements of a text with their passages, and what tells the line of a position.
+
+    With `plain` mathematics outside of dollars is read too.
+    """
+    around = passages(source, plain)
+    return statements_of(around, defined(source, macros), until), places(source)
+
+
+def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -> Read:
+    """What each formula states, read with the functions of the whole text."""
+    once = [each for passage in text for each in _read(passage, macros, frozenset(), until)]
+    known = functions_of(once)
+    read = [(passage, each) for passage in text for each in _read(passage, macros, known, until)]
+    table = str.maketrans(_shapes(each for _, each in read))
+    return [(passage, _folded(each, table)) for passage, each in read] if table else read
+
+
+def _read(
+    passage: Passage, macros: Macros, functions: frozenset[Letter], until: float
+) -> Sequence[Statement | Unread]:
+    if time.process_time() > until:
+        return (Unread(0, LATE),)
+    return statements(_whole(passage), macros, functions)
+
+
+def _whole(passage: Passage) -> str:
+    """The text of a formula; the word "const" behind its last sign is its last side."""
+    if not passage.display and "\\" not in passage.text:
+        return re.sub(r"_([A-Za-z]{2,})", r"_{\1}", passage.text)
+    if re.search(r"(=|\\equiv)\s*$", passage.text) and re.match(r"\W*[ck]onst", passage.behind):
+        return passage.text + r"\mathrm{const}"
+    return passage.text
+
+
+def _shapes(read: Iterable[Statement | Unread]) -> dict[str, str]:
+    """Which shapes of letters stand for which others: those of which a text has but one."""
+    bases = {
+        letter.base
+        for each in read
+        if isinstance(each, Statement)
+        for side in each.sides
+        for letter in n.letters(side)
+    }
+    return {one: other for one, other in _SHAPES.items() if not {one, other} <= bases}
+
+
+def _folded(each: Statement | Unread, table: dict[int, str]) -> Statement | Unread:
+    """A statement with other shapes of its letters, in its indices too."""
+    if isinstance(each, Unread):
+        return each
+
+    def change(node: Node) -> Node:
+        if not isinstance(node, Letter):
+            return node
+        return replace(node, base=node.base.translate(table), sub=node.sub.translate(table))
+
+    return replace(
+        each,
+        sides=tuple(n.mapped(side, change) for side in each.sides),
+        conditions=tuple(_folded(x, table) for x in each.conditions),  # type: ignore[misc]
+    )
+
+
+# --- What stands around a statement --------------------------------------------------------------
+
+
+def situation(
+    passage: Passage, number: int, instant: str, opens: bool, names: frozenset[Letter]
+) -> Situation:
+    """What the words around a statement say of it."""
+    cues = passage.cues
+    return Situation(
+        number,
+        passage.scope,
+        instant,
+        passage.sentence,
+        supposed=Cue.CASE in cues,
+        derived=Cue.DERIVED in cues,
+        defined=Cue.DEFINED in cues,
+        constant=Cue.CONSTANT in cues,
+        small=Cue.SMALL in cues or Cue.APPROXIMATED in cues,
+        large=Cue.LARGE in cues,
+        asked=Cue.ASKED in cues,
+        inline=not passage.display,
+        opens=opens,
+        declared=names,
+    )
+
+
+def cases_of(read: Read) -> frozenset[int]:
+    """Where formulas begin of which several rows have conditions."""
+    rows = Counter(
+        passage.start
+        for passage, each in read
+        if isinstance(each, Statement) and (each.conditions or each.condition)
+    )
+    return frozenset(start for start, count in rows.items() if count > 1)
+
+
+def declared_letters(source: str) -> frozenset[Letter]:
+    """The letters that the words of a text introduce."""
+    read = (x for each in declared(source) for x in statements(each.text))
+    return frozenset(
+        letter
+        for each in read
+        if isinstance(each, Statement)
+        for letter in n.letters(each.sides[0])
+    )
+
+
+_STARTS = re.compile(
+    r"\b(start|begin|initial|at first|anfang|zu beginn|début|instant initial)", re.I
+)
+
+START = "start"
+"""The instant at which a motion begins."""
+
+
+def instants(read: Read) -> list[str]:
+    """The instant of which each statement speaks; "" for all times."""
+    made: list[str] = []
+    sentence, now = -1, ""
+    for passage, each in read:
+        if passage.sentence != sentence:
+            sentence, now = passage.sentence, ""
+        if Cue.GENERAL in passage.cues:
+            now = ""
+        elif Cue.MOMENT in passage.cues:
+            now = START if _STARTS.search(passage.before) else now or f"s{sentence}"
+        if isinstance(each, Statement) and is_time(each) and now:
+            value = each.sides[1]
+            zero = isinstance(value, n.Number) and value.value == 0
+            now = START if zero else now
+        starts = isinstance(each, Statement) and _is_start(each)
+        made.append(START if starts else now)
+    return made
+
+
+def is_time(statement: Statement) -> bool:
+    """Whether a statement says which moment is meant."""
+    return statement.sides[0] == Letter("t") and statement.relations == ("=",)
+
+
+def _is_start(statement: Statement) -> bool:
+    """Whether a letter is given its own value with a 0 below: θ = θ₀."""
+    if statement.relations != ("=",):
+        return False
+    left, right = statement.sides
+    return isinstance(left, Letter) and not left.sub and right == replace(left, sub="0")
+
+
+# --- Habits --------------------------------------------------------------------------------------
+
+
+def functions_of(read: Iterable[Statement | Unread]) -> frozenset[Letter]:
+    """The letters that are written with a place behind them: U(r), V(x)."""
+    return frozenset(
+        node.function
+        for each in read
+        if isinstance(each, Statement)
+        for side in each.sides
+        for node in n.walked(side)
+        if isinstance(node, n.Call) and isinstance(node.function, Letter)
+    )
+
+
+def habits_of(read: Sequence[Statement]) -> Habits:
+    """How a text uses its letters."""
+    nodes = [node for each in read for side in each.sides for node in n.walked(side)]
+    calls = [x for x in nodes if isinstance(x, n.Call)]
+    timed = {x.function for x in calls if x.places == (Letter("t"),)}
+    moving = {x for x in timed if isinstance(x, Letter)} | {
+        of for x in nodes if isinstance(x, n.Rate) for of in [_bare(x.of)] if isinstance(of, Letter)
+    }
+    functions: dict[Letter, tuple[Node, ...]] = {}
+    for call in calls:
+        function = call.function.of if isinstance(call.function, n.Primed) else call.function
+        if not isinstance(function, Letter) or function in moving:
+            continue
+        if call.places != (Letter("t"),) and all(isinstance(x, Letter) for x in call.places):
+            functions.setdefault(function, call.places)
+    primed = {x.of for x in nodes if isinstance(x, n.Primed) and isinstance(x.of, Letter)}
+    twice = any(isinstance(x, n.Primed) and x.order > 1 and x.of not in functions for x in nodes)
+    dotted = any(isinstance(x, n.Rate) and x.dotted for x in nodes)
+    primes_are_rates = twice and not dotted
+    if primes_are_rates:
+        moving |= primed - {*functions}
+    vectors = {x for x in nodes if isinstance(x, Letter) and x.bold and not x.sub}
+    entries = {
+        (each.sides[0], x) for each in read for side in each.sides[1:] for x in n.letters(side)
+    }
+    lengths = {
+        x
+        for x in (replace(vector, bold=False) for vector in vectors)
+        if x not in moving and (replace(x, bold=True), x) not in entries and x.base not in "xyzt"
+    }
+    indices = {x.base for node in nodes if isinstance(node, n.Total) for x in node.index}
+    own = {
+        side
+        for each in read
+        for side in each.sides[:1]
+        if side in (Letter("i"), Letter("e"), Letter("π"))
+    }
+    return Habits(
+        frozenset(moving),
+        functions,
+        frozenset(indices),
+        frozenset(own),
+        primes_are_rates,
+        frozenset(lengths),
+    )
+
+
+def _bare(node: Node) -> Node:
+    while isinstance(node, (n.Rate, n.Group)):
+        node = node.of
+    return node.function if isinstance(node, n.Call) else node

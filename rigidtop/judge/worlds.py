@@ -1,0 +1,253 @@
+"""Worlds: numbers for all letters at which equations hold, found from random starts.
+
+Each is found by weighted least squares, in which the highest rates move first and parameters last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import sympy
+from numpy.typing import NDArray
+from sympy import Expr, Symbol
+
+from rigidtop.judge.jets import Jet, jet_of
+from rigidtop.judge.program import Array, Program, UnknownFunctionError
+from rigidtop.tree.nodes import Letter
+
+WORLDS = 4
+"""So many worlds are asked."""
+
+_STARTS, _STEPS = 12, 60
+_EXACT = 1e-12
+"""An equation holds where its sides differ by no more than this share of its terms."""
+
+SMALLEST = 0.02
+"""A parameter nearer to zero makes a place degenerate, and such a place is no world."""
+
+CLOSE, _FLOOR = 1e-7, 1e-4
+"""Sides that are equal in exact worlds differ by no more than this share of their terms, which are
+of the size of 1 where they are not zero."""
+
+
+@dataclass(frozen=True, eq=False)
+class Worlds:
+    """Letters with their numbers, a column a world; none where no world was found."""
+
+    letters: tuple[Symbol, ...]
+    points: Array
+
+    @property
+    def count(self) -> int:
+        return int(self.points.shape[1])
+
+    @cached_property
+    def program(self) -> Program:
+        """What evaluates expressions in these worlds."""
+        return Program(self.letters, self.points)
+
+    def holds(self, sides: Sequence[tuple[Expr, Expr]], trivially: bool = True) -> bool | None:
+        """Whether both sides agree in every world; None where they have a value in none.
+
+        With `trivially` false they may not all be nothing but zeros.
+        """
+        expressions = [x for pair in sides for x in pair] + [a - b for a, b in sides]
+        if not self._knows(expressions) or not self.count:
+            return None
+        try:
+            found = self.program.values(expressions)
+        except UnknownFunctionError:
+            return None
+        k = len(sides)
+        size = found.sizes[: 2 * k : 2] + found.sizes[1 : 2 * k : 2]
+        gap = np.abs(found.values[2 * k :])
+        known = np.isfinite(gap).all(axis=0) & np.isfinite(size).all(axis=0)
+        if not known.any():
+            return None
+        if not trivially and (size[:, known].max(axis=0) < _FLOOR).any():
+            return False
+        return bool((gap[:, known] <= CLOSE * (size[:, known] + _FLOOR)).all())
+
+    def holds_one(self, sides: Sequence[tuple[Expr, Expr]]) -> bool:
+        """Whether in every world one of several pairs of sides agrees."""
+        expressions = [x for pair in sides for x in pair] + [a - b for a, b in sides]
+        if not self._knows(expressions) or not self.count:
+            return False
+        found = self.program.values(expressions)
+        k = len(sides)
+        size = found.sizes[: 2 * k : 2] + found.sizes[1 : 2 * k : 2]
+        gap = np.abs(found.values[2 * k :])
+        return bool((gap <= CLOSE * (size + _FLOOR)).any(axis=0).all())
+
+    def signs(self, expressions: Sequence[Expr]) -> NDArray[np.float64] | None:
+        """The sign of each expression in each world; None where they are no numbers."""
+        if not self._knows(expressions) or not self.count:
+            return None
+        values = self.program.values(expressions).values
+        return np.sign(values.real) if np.isfinite(values).all() else None
+
+    def _knows(self, expressions: Sequence[Expr]) -> bool:
+        known = {*self.letters}
+        return all(x.free_symbols <= known for x in expressions)
+
+
+def found(
+    equations: Sequence[Expr],
+    letters: Sequence[Symbol],
+    may_vanish: Collection[Letter] = (),
+    not_zero: Sequence[Expr] = (),
+) -> Worlds:
+    """Worlds in which `equations` vanish; those with real numbers, if there are any.
+
+    No parameter is zero there but those that `may_vanish`, nor is anything that is `not_zero`.
+    """
+    if not equations or not letters:
+        return Worlds(tuple(letters), _starts(letters, 0)[:, :WORLDS])
+    weights = _weights(letters)
+    parameters = np.array(
+        [_is_parameter(x, letters) and not _is_of(x, may_vanish) for x in letters]
+    )
+    every = np.zeros((len(letters), 0), complex)
+    for seed in range(_SEEDS):
+        try:
+            points, exact = _solved(equations, letters, _starts(letters, seed), weights)
+            exact &= _is_not_zero(not_zero, letters, points)
+        except UnknownFunctionError:
+            break
+        exact &= ~(np.abs(points[parameters]) < SMALLEST).any(axis=0)
+        exact &= (np.abs(points) < 1e4).all(axis=0)
+        every = np.hstack([every, points[:, exact]])
+        vanishing = (np.abs(every) < 1e-6).sum(axis=0)
+        real = np.abs(every.imag).max(axis=0, initial=0) < 1e-9
+        if (real & (vanishing == 0)).sum() >= WORLDS:
+            break
+    if not every.size:
+        return Worlds(tuple(letters), every)
+    # A place where something happens to vanish says less than one where nothing does.
+    chosen = vanishing == vanishing.min()
+    chosen = chosen & real if (chosen & real).sum() >= 2 else chosen
+    return Worlds(tuple(letters), every[:, chosen][:, :WORLDS])
+
+
+_SEEDS = 3
+
+
+def _is_not_zero(
+    expressions: Sequence[Expr], letters: Sequence[Symbol], points: Array
+) -> NDArray[np.bool_]:
+    known = [x for x in expressions if x.free_symbols <= {*letters}]
+    values = Program(letters, points).values(known).values
+    return np.asarray((np.abs(values) > SMALLEST).all(axis=0), bool)
+
+
+def _solved(
+    equations: Sequence[Expr],
+    letters: Sequence[Symbol],
+    points: Array,
+    weights: NDArray[np.float64],
+) -> tuple[Array, NDArray[np.bool_]]:
+    points = points.copy()
+    exact = np.zeros(points.shape[1], bool)
+    lost = np.zeros(points.shape[1], bool)
+    largest = np.maximum(1, weights)
+    for step in range(_STEPS):
+        left = np.flatnonzero(~exact & ~lost)
+        if not len(left) or (step > 25 and exact.sum() >= WORLDS):
+            break
+        at = Program(letters, points[:, left], with_slopes=True).values(equations)
+        for column, k in enumerate(left):
+            gap, size = at.values[:, column], at.sizes[:, column]
+            slope = at.slopes[:, :, column]
+            if not (np.isfinite(gap).all() and np.isfinite(slope).all()):
+                lost[k] = True
+                continue
+            if (np.abs(gap) <= _EXACT * (size + 1e-3)).all():
+                exact[k] = True
+                continue
+            scale = np.abs(slope).max(axis=1) + 1e-300
+            gap = np.where(np.abs(gap) <= _EXACT * size, 0, gap)
+            scale = np.where((gap == 0) & (scale <= 1e-9 * (size + 1e-3)), np.inf, scale)
+            move = weights * _least(slope / scale[:, None] * weights, -gap / scale)
+            farthest = np.abs(move / largest).max()
+            points[:, k] += move * min(1.0, 0.7 / farthest if farthest else 1.0)
+            lost[k] = bool((np.abs(points[:, k]) > 1e5).any())
+    return points, exact
+
+
+def _least(matrix: Array, right: Array) -> Array:
+    made: Array = np.linalg.lstsq(matrix, right, rcond=1e-9)[0]
+    return made
+
+
+def _starts(letters: Sequence[Symbol], seed: int) -> Array:
+    rng = np.random.default_rng(seed)
+    rows = [
+        rng.uniform(-1.5, 1.5, _STARTS) if _order(x) else rng.uniform(0.5, 1.9, _STARTS)
+        for x in letters
+    ]
+    return np.array(rows, complex).reshape(len(letters), _STARTS)
+
+
+def _order(x: Symbol) -> int:
+    jet = jet_of(x)
+    return jet.order if jet is not None else 0
+
+
+def _weights(letters: Sequence[Symbol]) -> NDArray[np.float64]:
+    """How far each letter may go: rates farther, the parameters of which nothing moves least."""
+    return np.array([_weight(x, letters) for x in letters])
+
+
+def _weight(x: Symbol, letters: Sequence[Symbol]) -> float:
+    jet = jet_of(x)
+    if jet is None:
+        return 0.3 if x.name.startswith(("t\x1f", "unit ")) else 10.0
+    if _is_parameter(x, letters):
+        return 0.3
+    return (1.0, 3.0, 10.0, 30.0)[min(jet.order, 3)]
+
+
+def _is_parameter(x: Symbol, letters: Sequence[Symbol]) -> bool:
+    """Whether it is a letter of which no rate is asked."""
+    jet = jet_of(x)
+    if jet is None or jet.order or is_component(jet):
+        return False
+    return not any(
+        other is not None and other.letter == jet.letter and other.order
+        for other in map(jet_of, letters)
+    )
+
+
+def _is_of(x: Symbol, letters: Collection[Letter]) -> bool:
+    jet = jet_of(x)
+    return jet is not None and jet.letter in letters
+
+
+def is_component(jet: Jet) -> bool:
+    """Whether it is one number of a vector."""
+    return jet.letter.bold or jet.letter.mark == "hat"
+
+
+def rank(equations: Sequence[Expr], worlds: Worlds, by: Sequence[Symbol]) -> int:
+    """How many of the equations are independent as equations for some letters."""
+    if not equations or not by or not worlds.count:
+        return 0
+    places = [worlds.letters.index(x) for x in by]
+    try:
+        at = Program(worlds.letters, worlds.points[:, :1], with_slopes=True).values(equations)
+    except UnknownFunctionError:
+        return 0
+    slopes = at.slopes[:, places, 0]
+    if not np.isfinite(slopes).all():
+        return 0
+    scale = np.abs(slopes).max(axis=1, keepdims=True)
+    return int(np.linalg.matrix_rank(slopes / np.where(scale > 0, scale, 1), tol=1e-8))
+
+
+def symbols_of(expressions: Sequence[Expr]) -> tuple[Symbol, ...]:
+    """The letters of expressions, always in the same order."""
+    every: set[Symbol] = set().union(*(sympy.sympify(x).free_symbols for x in expressions))
+    return tuple(sorted(every, key=str))

@@ -1,0 +1,281 @@
+"""What the judge can do, a short text for each: what is right follows, what is wrong is told."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import pytest
+
+from rigidtop.judge.text import judged
+
+TEXTS = r"""
+# definitions in any order
+. L = T - V
+. T = \frac12 ml^2\dot\theta^2
+. V = -mgl\cos\theta
++ \ddot\theta = -\frac gl\sin\theta
+- \ddot\theta = \frac gl\sin\theta
+
+# Lagrange's equations
+. L = \frac12 m(\dot r^2 + r^2\dot\phi^2) + \frac kr
++ \frac{d}{dt}\frac{\partial L}{\partial\dot r} = mr\dot\phi^2 - \frac k{r^2}
+- \frac{d}{dt}\frac{\partial L}{\partial\dot r} = mr\dot\phi - \frac k{r^2}
++ r\ddot\phi + 2\dot r\dot\phi = 0
+- r\ddot\phi + \dot r\dot\phi = 0
+
+# multipliers
+. L = \frac12 m(\dot x^2 + \dot y^2) - mgy + \lambda(x^2 + y^2 - l^2)
++ m\ddot x = 2\lambda x
+- m\ddot x = \lambda x
++ m\ddot y = -mg + 2\lambda y
+- m\ddot y = -mg + 2\lambda x
++ x^2 + y^2 = l^2
+- x^2 - y^2 = l^2
+
+# a rolling tie
+. I = \frac12 MR^2
+. L = \frac12 M\dot x^2 + \frac12 I\dot\theta^2 + Mgx\sin\alpha
+> It rolls without slipping, $\dot x = R\dot\theta$. Hence
++ \ddot x = \frac23 g\sin\alpha
+- \ddot x = \frac32 g\sin\alpha
+
+# a coordinate put in
+. L = \frac12 m\dot x^2 + \frac12 I\dot\theta^2 + mgx\sin\alpha
+. x = R\theta
++ (m + \frac I{R^2})\ddot x = mg\sin\alpha
+- (m - \frac I{R^2})\ddot x = mg\sin\alpha
+
+# momenta and the energy by their names
+. L = \frac12 m(\dot r^2 + r^2\dot\phi^2) + \frac kr
++ p_\phi = mr^2\dot\phi
+- p_\phi = mr\dot\phi
++ \dot p_\phi = 0
++ E = \frac12 m\dot r^2 + \frac{p_\phi^2}{2mr^2} - \frac kr
+- E = \frac12 m\dot r^2 + \frac{p_\phi^2}{2mr^2} + \frac kr
++ \dot E = 0
+
+# a momentum put into L
+. L = \frac12 m(\dot r^2 + r^2\dot\phi^2) + \frac kr
+. p = mr^2\dot\phi
++ L = \frac12 m\dot r^2 + \frac{p^2}{2mr^2} + \frac kr
+- L = \frac12 m\dot r^2 - \frac{p^2}{2mr^2} + \frac kr
++ m\ddot r = \frac{p^2}{mr^3} - \frac k{r^2}
+- m\ddot r = -\frac{p^2}{mr^3} - \frac k{r^2}
+
+# vectors
+. \mathbf M = m\mathbf r\times\dot{\mathbf r}
++ \dot{\mathbf M} = m\mathbf r\times\ddot{\mathbf r}
+- \dot{\mathbf M} = m\ddot{\mathbf r}\times\mathbf r
+. m\ddot{\mathbf r} = -k\mathbf r
++ \dot{\mathbf M} = 0
+
+# two cross products
+. \mathbf d = \mathbf a\times(\mathbf b\times\mathbf c)
++ \mathbf d = \mathbf b(\mathbf a\cdot\mathbf c) - \mathbf c(\mathbf a\cdot\mathbf b)
+- \mathbf d = \mathbf b(\mathbf a\cdot\mathbf c) + \mathbf c(\mathbf a\cdot\mathbf b)
+
+# components
+. \boldsymbol\omega = (\omega_1, \omega_2, \omega_3)
+. \mathbf L = (I_1\omega_1, I_2\omega_2, I_3\omega_3)
++ (\boldsymbol\omega\times\mathbf L)_1 = (I_3 - I_2)\omega_2\omega_3
+- (\boldsymbol\omega\times\mathbf L)_1 = (I_2 - I_3)\omega_2\omega_3
+
+# matrices
+. R = \begin{pmatrix}\cos\alpha & -\sin\alpha\\ \sin\alpha & \cos\alpha\end{pmatrix}
++ \det R = 1
+- \det R = 2
++ R^T R = \begin{pmatrix}1 & 0\\ 0 & 1\end{pmatrix}
+
+# sums over particles
+. M = \sum_i m_i
+. M\mathbf R = \sum_i m_i\mathbf r_i
+. \mathbf P = \sum_i m_i\dot{\mathbf r}_i
++ \mathbf P = M\dot{\mathbf R}
+- \mathbf P = -M\dot{\mathbf R}
+
+# an integral
+. I = \int_0^R \frac{2M}{R^2}r^3\,dr
++ I = \frac12 MR^2
+- I = \frac14 MR^2
+
+# a motion that solves
+. \ddot x + w^2x = 0
++ x = A\cos wt + B\sin wt
+- x = A\cos 2wt + B\sin wt
+
+# a motion that is tried
+. \ddot x + 2b\dot x + w^2x = F\cos\nu t
+. x = P\cos\nu t + Q\sin\nu t
++ (w^2 - \nu^2)P + 2b\nu Q = F
+- (w^2 - \nu^2)P - 2b\nu Q = F
++ (w^2 - \nu^2)Q - 2b\nu P = 0
+- (w^2 - \nu^2)Q - 2b\nu Q = 0
+
+# a complex exponential that is tried
+. \ddot x + 2b\dot x + w^2x = 0
+. x = Ae^{i\nu t}
++ -\nu^2 + 2ib\nu + w^2 = 0
+- -\nu^2 - 2ib\nu + w^2 = 0
+
+# complex numbers
+. \zeta = x + iy
+. \ddot x = 2\Omega\dot y
+. \ddot y = -2\Omega\dot x
++ \ddot\zeta = -2i\Omega\dot\zeta
+- \ddot\zeta = 2i\Omega\dot\zeta
+
+# Euler's formula
+. z = re^{i\phi}
++ z = r(\cos\phi + i\sin\phi)
+- z = r(\cos\phi - i\sin\phi)
+
+# values at the time 0
+. x = A\cos wt + B\sin wt
+> At $t = 0$ we have $x = a$ and $\dot x = v$. Hence
++ A = a
+- A = 2a
++ B = \frac vw
+- B = -\frac vw
++ x = a\cos wt + \frac vw\sin wt
+
+# what is conserved has its value from the start
+. L = \frac12 m(\dot r^2 + r^2\dot\phi^2) + \frac kr
++ p_\phi = mr^2\dot\phi
+> At $t = 0$ we have $r = a$ and $\dot\phi = w$. Hence
++ r^2\dot\phi = a^2w
+- r^2\dot\phi = aw
+
+# a special case ends with its section
+. L = \frac12 ml^2(\dot\theta^2 + \sin^2\theta\,\dot\phi^2) + mgl\cos\theta
+> ## In a plane
+> Let $\dot\phi = 0$. Then
++ \ddot\theta = -\frac gl\sin\theta
+- \ddot\theta = \frac gl\sin\theta
+> ## In space
++ \ddot\theta = \sin\theta\cos\theta\,\dot\phi^2 - \frac gl\sin\theta
+? \ddot\theta = -\frac gl\sin\theta
+
+# both roots, and when they are real
+. 4I_1cs^2 - 2I_3ws + Mgl = 0
++ s = \frac{I_3w \pm\sqrt{I_3^2w^2 - 4I_1cMgl}}{4I_1c}
+- s = \frac{I_3w \pm\sqrt{I_3^2w^2 + 4I_1cMgl}}{4I_1c}
+. I_3^2w^2 - 4I_1cMgl \geq 0
++ w^2 \geq \frac{4I_1cMgl}{I_3^2}
+- w^2 \geq \frac{2I_1cMgl}{I_3^2}
+
+# both signs
+. s_\pm = -b \pm w
++ s_+s_- = b^2 - w^2
+- s_+s_- = b^2 + w^2
+
+# what is constant
+. m\ddot x = -kx
++ m\dot x^2 + kx^2 = \text{const}
+- m\dot x^2 - kx^2 = \text{const}
+
+# small motions
+. L = \frac12 ml^2\dot\theta^2 + mgl\cos\theta
+~ \ddot\theta \approx -\frac gl\theta
+- \ddot\theta \approx -\frac{g}{2l}\theta
+
+# numbers with units
+. m = 2.0\,\mathrm{kg}
+. v = 3.0\,\mathrm{m/s}
+. T = \frac12 mv^2
++ T = 9.0\,\mathrm J
+x T = 18\,\mathrm J
+? T = 9.0\,\mathrm N
+
+# a missing term
+. L = \frac12 m(\dot r^2 + r^2\dot\phi^2) + mgr\cos\phi - \frac12 k(r - l)^2
++ m\ddot r = mr\dot\phi^2 + mg\cos\phi - kr + kl
+- m\ddot r = mr\dot\phi^2 + mg\cos\phi + kl
+
+# a contradiction with what a letter stands for
+. u = a + b
+. v = a + b
++ uv = a^2 + 2ab + b^2
+x uv = a^2 - b^2
+
+# another letter
+. L = \frac12 m\dot x^2 + \frac12 M\dot y^2 - \frac12 k(x - y)^2
++ m\ddot x = -k(x - y)
+- m\ddot x = -k(x - m)
++ M\ddot y = k(x - y)
+- m\ddot y = k(x - y)
+
+# sine and cosine
+. x = l\sin\theta
++ \dot x = l\dot\theta\cos\theta
+- \dot x = l\dot\theta\sin\theta
+"""
+"""A line that begins with "." is taken as it stands, one with "+" follows, and one with "~" nearly.
+
+With "-" it is a false variant of the line above and the judge knows the right one, with "x" it is
+false, and with "?" it does not follow; ">" is prose.
+"""
+
+TAKEN = {"premise", "definition"}
+
+
+@dataclass(frozen=True)
+class Line:
+    mark: str
+    text: str
+
+    @property
+    def source(self) -> str:
+        return self.text if self.mark == ">" else f"$${self.text}$$"
+
+
+def right_and_wrong():
+    """For each text the right lines, and for each variant those before it with it behind them."""
+    for text in TEXTS.strip().split("\n\n"):
+        title, *lines = text.splitlines()
+        right: list[Line] = []
+        variants = 0
+        for line in (Line(line[0], line[2:]) for line in lines):
+            if line.mark in "-x?":
+                variants += 1
+                yield pytest.param((*right[:-1], line), id=f"{title[2:]}, wrong {variants}")
+            else:
+                right.append(line)
+        yield pytest.param(tuple(right), id=title[2:])
+
+
+@lru_cache
+def rows_of(lines):
+    """The outcomes of the formulas that stand alone, with their marks."""
+    rows = judged("\n".join(line.source for line in lines))
+    assert not {row.outcome.verdict for row in rows if not row.display} - TAKEN
+    outcomes = {row.line: row.outcome for row in rows if row.display}
+    return [(line.mark, outcomes[k]) for k, line in enumerate(lines, 1) if line.mark != ">"]
+
+
+def has_its_mark(mark, outcome):
+    if mark == ".":
+        return outcome.verdict in TAKEN
+    if mark == "?":
+        return outcome.verdict == "undecided"
+    if mark == "~":
+        return outcome.verdict == "assuming" and bool(outcome.conditions)
+    return outcome.passed is (mark == "+")
+
+
+CASES = list(right_and_wrong())
+WRONG = [case for case in CASES if case.values[0][-1].mark == "-"]
+
+
+@pytest.mark.parametrize("lines", CASES)
+def test_every_line_is_judged_as_it_deserves(lines):
+    rows = rows_of(lines)
+    assert [(mark, x) for mark, x in rows if not has_its_mark(mark, x)] == []
+
+
+@pytest.mark.parametrize("lines", WRONG)
+def test_what_is_said_to_be_right_is_right(lines):
+    *before, wrong = lines
+    _, outcome = rows_of(lines)[-1]
+    assert outcome.slip
+    mended = Line(wrong.mark, outcome.right)
+    _, again = rows_of((*before, mended))[-1]
+    assert again.passed
