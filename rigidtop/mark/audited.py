@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from rigidtop.mark.case import UNREAD as UNREAD
+from rigidtop.judge.outcome import UNREAD as UNREAD
 from rigidtop.mark.ruling import Ruling, refutation
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Claim, Page

@@ -80,7 +80,7 @@ def judged(equation: Equation, check: Check, letters: Letters) -> Ruling:
     return replace(worst, finding=replace(worst.finding, check=replace(check, claimed=equation)))
 
 
-def _one(check: Check, known: set[Symbol], letters: Letters) -> Ruling:
+def _one(check: Check, known: frozenset[Symbol], letters: Letters) -> Ruling:
     free = {angle for angle, rate in _RATES.items() if rate in known}
     strangers = sorted(symbols_of(check.claimed) - known - free, key=str)
     unsaid = f"the claim does not say what {_listed(strangers)} is here" if strangers else ""
@@ -112,7 +112,7 @@ def _listed(symbols: Sequence[Symbol]) -> str:
     return ", ".join(map(text, symbols))
 
 
-def _known_symbols(check: Check) -> set[Symbol]:
+def _known_symbols(check: Check) -> frozenset[Symbol]:
     """The symbols that mean something in a claim."""
     expressions = [*check.meaning, *check.meaning.values(), *check.given]
     expressions += [assumption.condition for assumption in check.assuming]

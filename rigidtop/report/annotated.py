@@ -41,7 +41,10 @@ class Formula:
 
 @dataclass(frozen=True)
 class Mark:
-    """A numbered equation with its verdict; it stands in the text from `start` to `end`."""
+    """An equation with its verdict; it stands in the text from `start` to `end`.
+
+    Its `number` is "" where it has none.
+    """
 
     start: int
     end: int
@@ -99,8 +102,8 @@ def write(
     framed = {mark.start: (mark.end, _framed(mark, n)) for n, mark in enumerate(marks)}
     body = _text(source, inside, framed)
     found = "\n".join(
-        f'<li><a href="#{_anchor(mark, n)}">({escape(_clean(mark.number))})</a>'
-        f"{_badge(mark.verdict)} line {mark.line}: {_said(mark.note)}</li>"
+        f'<li><a href="#{_anchor(mark, n)}">{_name(mark)}</a>'
+        f"{_badge(mark.verdict)} {f'line {mark.line}: ' * bool(mark.number)}{_said(mark.note)}</li>"
         for n, mark in enumerate(marks)
         if not mark.passed or mark.verdict in (Verdict.CONVENTION, Verdict.FALSE)
     )
@@ -126,8 +129,8 @@ def write(
 {body}
 </div>
 <footer class="colophon"><p>Each numbered equation as it was read, with the verdict of the
-collection of derivations; of other formulas only counts are given. What was not read is set
-sign by sign, as it is written.</p></footer>
+collection of derivations; of other formulas what is wrong is marked, and the
+rest is counted. What was not read is set sign by sign, as it is written.</p></footer>
 </main>
 </body>
 </html>
@@ -139,6 +142,11 @@ sign by sign, as it is written.</p></footer>
 
 def _anchor(mark: Mark, n: int) -> str:
     return f"eq-{n + 1}"
+
+
+def _name(mark: Mark) -> str:
+    """The number of an equation, or the line of one without."""
+    return f"({escape(_clean(mark.number))})" if mark.number else f"line {mark.line}"
 
 
 def _said(note: str) -> str:
@@ -159,13 +167,13 @@ def _badge(verdict: str) -> str:
 
 
 def _framed(mark: Mark, n: int) -> str:
-    """A numbered equation: what it says, its number and verdict, and why."""
+    """A marked equation: what it says, its number and verdict, and why."""
     shown = "".join(map(_block, mark.formulas))
     amiss = "" if mark.passed else " amiss"
     why = f'<span class="why">{_said(mark.note)}</span>' if mark.note else ""
     return (
         f'<span class="audited{amiss}" id="{_anchor(mark, n)}"><span class="eq">{shown}</span>'
-        f'<span class="side"><span class="tag">({escape(_clean(mark.number))})</span>'
+        f'<span class="side"><span class="tag">{_name(mark)}</span>'
         f"{_badge(mark.verdict)}</span>{why}</span>"
     )
 
