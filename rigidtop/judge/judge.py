@@ -132,6 +132,8 @@ class Judge:
     ) -> tuple[Outcome, Context]:
         """What becomes of a statement, and what is known after it."""
         outcome, after = self._in_context(statement, situation, context)
+        if situation.asked and not outcome.passed:
+            return Outcome(UNDECIDED, "it is asked, or denied"), context
         supposed = situation.supposed and outcome.verdict == FALSE
         if situation.closed or outcome.passed or not (situation.case or supposed):
             return outcome, after
@@ -339,6 +341,8 @@ class Link:
         context = replace(self.context, bounds=(*self.context.bounds, (self.left, self.right)))
         if len(self.both) != 1 or all(are_numbers(*pair) for pair in self.both):
             return Outcome("premise", "a condition"), self.context
+        if self.at.supposed:
+            return Outcome("premise", "a condition"), context
         self.pool = self._pool(self.context)
         self._surround()
         for left, right in reversed(self.context.bounds):
@@ -849,12 +853,12 @@ class Link:
         """A special motion, or what holds at one instant."""
         at = self.at
         known = () if at.instant else self.context.definitions
-        given = _is_setting(self.left, self.right, known)
+        given = _is_setting(self.left, self.right, known) or self._is_value()
         given = given or bool(at.instant and at.inline)
         if (
             self.inner
             or not (at.supposed or given)
-            or (at.derived and not (at.supposed or at.opens))
+            or (at.derived and not (at.supposed or at.opens or (at.instant and at.inline)))
         ):
             return None
         what = "at one instant" if self.at.instant else "a special case"
@@ -887,6 +891,11 @@ class Link:
         )
         context = replace(self.context, constraints=kept).defining(letter, made)
         return Outcome(DEFINITION, f"{in_words(letter)} is used again"), context
+
+    def _is_value(self) -> bool:
+        """Whether a letter that stands for nothing is given a number, perhaps with a unit."""
+        new = isinstance(self.left, Letter) and self.left not in self.context.definitions
+        return new and self.at.inline and all(are_numbers(right, right) for _, right in self.both)
 
     def _may_be_anew(self, definition: Definition) -> bool:
         """Whether what a letter stands for may be another problem's: outside, or by the words."""
@@ -940,14 +949,17 @@ class Link:
         if not free or w.rank([*self.equations, *gaps], self.worlds, free) != before + len(gaps):
             return None
         letters = {jet.letter for x in free if (jet := jet_of(x)) is not None}
+        above = (d for d in self.context.definitions.values() if d.number != self.at.number)
+        spoken = frozenset().union(*(n.letters(d.node) for d in above))
+        outcome = self._brings(sorted(letters, key=str))
+        outcome = replace(outcome, restricts=bool(letters & spoken))
         if len(letters) == 1:
             [letter] = letters
             solved = self._solved(letter)
             if solved is not None:
                 definition = Definition(solved, self.at.number, self.at.scope)
-                return self._brings([letter]), self.context.defining(letter, definition)
-        context = self.context.holding(self._constraint(PREMISE))
-        return self._brings(sorted(letters, key=str)), context
+                return outcome, self.context.defining(letter, definition)
+        return outcome, self.context.holding(self._constraint(PREMISE))
 
     def _free_in_premises(self) -> list[Symbol]:
         """Letters of which only premises speak, and neither laws nor what letters stand for."""

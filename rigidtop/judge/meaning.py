@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -576,6 +577,10 @@ def _unit(_: Meaning, node: n.Unit) -> Expr:
 
 
 def _product(meaning: Meaning, node: n.Product) -> Value:
+    for first, behind in pairwise(node.factors):
+        varied = first == Letter("δ") and first not in meaning.context.definitions
+        if varied and isinstance(behind, (Letter, n.Rate)):
+            raise UnclearError("a variation, δ before a letter, is not judged")
     return _multiplied([meaning.value(x) for x in node.factors])
 
 

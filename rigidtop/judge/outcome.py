@@ -27,8 +27,8 @@ class Outcome:
 
     `rests_on` are the numbers of the statements that it follows from, or contradicts; `slip` is
     what is wrong in a false one and `right` the line as it has to be; `conditions` is what a
-    statement that follows needs besides, and `brings` names the letters that occur in it for the
-    first time.
+    statement that follows needs besides.  `brings` names the letters that occur in it for the first
+    time; it `restricts` where it fixes letters of which statements above speak.
     """
 
     verdict: str
@@ -38,6 +38,7 @@ class Outcome:
     right: str = ""
     conditions: tuple[str, ...] = ()
     brings: frozenset[str] = frozenset()
+    restricts: bool = False
 
     @property
     def passed(self) -> bool | None:
@@ -53,7 +54,8 @@ def joint(outcomes: list[Outcome]) -> Outcome:
         for outcome in outcomes:
             if outcome.verdict == verdict:
                 return outcome
-    shown = [outcome for outcome in outcomes if outcome.passed] or outcomes
+    shown = [outcome for outcome in outcomes if outcome.restricts]
+    shown = shown or [outcome for outcome in outcomes if outcome.passed] or outcomes
     weakest = max(shown, key=lambda outcome: [*PASSED].index(outcome.verdict))
     rests_on = frozenset().union(*(outcome.rests_on for outcome in outcomes))
     conditions = tuple(dict.fromkeys(x for outcome in outcomes for x in outcome.conditions))

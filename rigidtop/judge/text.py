@@ -193,7 +193,7 @@ def situation(
         passage.scope,
         instant,
         passage.sentence,
-        supposed=Cue.CASE in cues,
+        supposed=bool(cues & {Cue.CASE, Cue.CONDITION}),
         derived=Cue.DERIVED in cues,
         defined=Cue.DEFINED in cues,
         constant=Cue.CONSTANT in cues,

@@ -68,6 +68,17 @@ TEXTS = [
     (r"$m\dot v = mg - bv$" "\n$u = mg/b$\n" r"$\dot v = g(1 + v/u)$", {3: False}),
     (r"$m\dot v = mg - bv$" "\n" r"$\frac{dv}{dt} = g$", {2: None}),
     ("$q = q$", {1: None}),
+    # what is said of one moment, of a case, or is denied
+    (r"$L = \frac12 m\dot x^2 - \frac12 kx^2$, $E = \frac12 m\dot x^2 + \frac12 kx^2$." "\n"
+     r"At $t = 0$ we have $x = a$ and $\dot x = 0$. Hence" "\n" r"$$E = \frac12 ka^2$$",
+     {2: None, 3: True}),
+    (r"$L = \frac12 m\dot x^2 - mgx$." "\n" r"One might think that $\ddot x = g$. But" "\n"
+     r"$$\ddot x = -g$$", {2: None, 3: True}),
+    (r"$m\dot v = mg - bv$." "\n" "If $v > mg/b$ it gets slower.", {2: None}),
+    # a link of a chain that is a new premise
+    ("$P = 1 + c$, $Q = 1 - c$" "\n" "$$QP = PQ = 0$$", {2: None}),
+    # a variation is no factor
+    (r"$h = a\sin\varphi$" "\n" r"$$\delta h = a\cos\varphi\,\delta\varphi$$", {2: None}),
     (r"$T = \oops$", {1: None}),
     # motions in time are put into their equations
     (SPRING + r"With $w = \sqrt{k/m}$" "\n" r"$x = A\cos wt + B\sin wt$", {3: True}),
