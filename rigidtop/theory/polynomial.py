@@ -172,6 +172,8 @@ def _factored(element: PolyElement) -> tuple[object, list[tuple[PolyElement, int
     one a polynomial in 16 generators takes it hours.  Here it is asked last: nearly all of ours
     have a generator in its first power alone, and what has no factor without it is irreducible.
     """
+    if element.is_ground:
+        return element.LC, []
     number, element = element.primitive()
     if element.LC < 0:
         number, element = -number, -element

@@ -81,3 +81,16 @@ def test_what_does_not_commute_keeps_its_order():
     assert Polynomial((A + x * B) * (A - B)).expression() == sympy.expand((A + x * B) * (A - B))
     assert Polynomial((A + B) ** 2 - A**2 - A * B - B * A - B**2).is_zero()
     assert not Polynomial(A * B - B * A).is_zero()
+
+
+def test_factors_are_those_of_sympy_and_nothing_has_none():
+    x, y, z = sympy.symbols("x y z", real=True)
+    for made in (x * y + y * z, (x + y) ** 2 * z, 6 * x**2 - 6 * y**2, x**2 + y**2, -x * y):
+        factors = Polynomial(made).factors()
+        product = sympy.Mul(*(base**power for base, power in factors))
+        assert sympy.expand(product - made) == 0
+        number, known = sympy.factor_list(made)
+        assert sorted(n for b, n in factors if not b.is_number) == sorted(n for _, n in known), (
+            number
+        )
+    assert sympy.Mul(*(b**n for b, n in Polynomial(sympy.Integer(0)).factors())) == 0
