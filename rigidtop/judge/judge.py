@@ -77,9 +77,6 @@ from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
 from rigidtop.tree.statement import Statement
 
-ALL_SLIPS_SECONDS = 12.0
-"""Nor in a whole text."""
-
 EQUALS = ("=", "≡")
 NEARLY = ("≈", "∼")
 CONDITIONS = ("≠", "<", ">", "≤", "≥", "≪", "≫")
@@ -87,8 +84,9 @@ CONDITIONS = ("≠", "<", ">", "≤", "≥", "≪", "≫")
 MOST_LETTERS = 16
 """So many letters are tried in place of others."""
 
-SLIP_SECONDS = 1.5
-"""For the change that would make a statement right no longer is looked."""
+SLIP_SECONDS, ALL_SLIPS_SECONDS = 1.5, 12.0
+"""How long the change that makes a statement right is looked for: in one, and in a whole text (s,
+of the processor's time)."""
 
 
 @dataclass(frozen=True)
@@ -110,7 +108,6 @@ class Situation:
     case: bool = False
     derived: bool = False
     defined: bool = False
-    constant: bool = False
     small: bool = False
     large: bool = False
     asked: bool = False
@@ -122,7 +119,11 @@ class Situation:
 
 @dataclass
 class Judge:
-    """What judges statements; it remembers values, and nothing that a verdict depends on."""
+    """What judges the statements of one text.
+
+    It remembers what letters stand for, and how many seconds are left to look for slips: once these
+    are over, what would be false for a slip is undecided.
+    """
 
     memory: Memory = field(default_factory=Memory)
     left_for_slips: float = ALL_SLIPS_SECONDS
@@ -562,7 +563,7 @@ class Link:
         A law moves a coordinate and does not say where it is; but a motion that is given in time
         has to obey it.
         """
-        motion = letter in self.context.habits.moving and not _in_time(value)
+        motion = letter in self.context.habits.moving and not value.has(TIME)
         return any(
             _speaks_of(each.expression, letter, functions=True)
             and (each.constraint is not None or not motion)
@@ -1241,11 +1242,6 @@ def _has_components(statement: Statement) -> bool:
     )
 
 
-def _in_time(value: Value) -> bool:
-    """Whether the time stands in a value, and no coordinate."""
-    return bool(value.has(TIME))
-
-
 def _has_sign(node: Node) -> bool:
     return any(
         isinstance(x, n.PlusMinus) or (isinstance(x, Letter) and ("±" in x.sub or "∓" in x.sub))
@@ -1287,6 +1283,3 @@ def _put_in(letter: Letter, value: Expr, context: Context) -> dict[Expr, Expr]:
         put[symbol(Jet(letter, order))] = value
         value = rate(value, context.habits.moving)
     return put
-
-
-__all__ = ["ASSUMING", "Judge", "Link", "Residual", "Situation", "jet_of"]

@@ -196,7 +196,6 @@ def situation(
         supposed=bool(cues & {Cue.CASE, Cue.CONDITION}),
         derived=Cue.DERIVED in cues,
         defined=Cue.DEFINED in cues,
-        constant=Cue.CONSTANT in cues,
         small=Cue.SMALL in cues or Cue.APPROXIMATED in cues,
         large=Cue.LARGE in cues,
         asked=Cue.ASKED in cues,

@@ -133,7 +133,9 @@ class _Given:
     def bases(self) -> tuple[MatrixBase, ...]:
         """The axes along which components may be meant: those of the model first."""
         own = [] if self.in_space is None else [self.in_space]
-        others = [self.value(_plain(primed_matrix())), eye(3)] if self.axes != "body" else [eye(3)]
+        others = (
+            [self.value(sympy.Matrix(primed_matrix())), eye(3)] if self.axes != "body" else [eye(3)]
+        )
         return tuple(ImmutableMatrix(x) for x in [*own, *others])
 
 
@@ -166,10 +168,6 @@ _HIDDEN: dict[Expr, Expr] = {
 def _turning() -> list[Expr]:
     """The rotational velocity in the body by the attitude."""
     return [x.xreplace(_HIDDEN) for x in _mapped(sympy.Matrix(euler_omega("body")))]
-
-
-def _plain(matrix: MatrixBase) -> MatrixBase:
-    return sympy.Matrix(matrix)
 
 
 def _jets_of(constraint: Constraint) -> list[Jet]:
