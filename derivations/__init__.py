@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from importlib.resources import files
 
@@ -20,6 +21,7 @@ from rigidtop.derivations import (
     space_and_body_frames,
 )
 from rigidtop.derivations.letters import LETTERS
+from rigidtop.judge.page import refuted
 from rigidtop.notation import NOTES
 from rigidtop.proof.lecture import Lecture
 from rigidtop.read.page import read_exercises, read_lecture
@@ -59,7 +61,7 @@ TEXTS = (
 @cache
 def lecture() -> Lecture:
     """The text of the lecture, read: every line with the move that leads to it."""
-    return read_lecture(_sources(TEXTS), LETTERS, NOTES)
+    return replace(read_lecture(_sources(TEXTS), LETTERS, NOTES), refuted=refuted)
 
 
 def lecture_with(exercises: Sequence[str]) -> Lecture:

@@ -50,6 +50,7 @@ from rigidtop.collection.kinds import (
 )
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
+from rigidtop.judge.page import refuted
 from rigidtop.notation import MATRICES, Notation
 from rigidtop.notation import NOTES as NOTATION
 from rigidtop.proof.exercise import Exercise, texts
@@ -290,7 +291,7 @@ def _lecture(
     def sources(names: Sequence[str]) -> list[tuple[str, str]]:
         return [(name, text_of(folder / f"{name}.md")) for name in names]
 
-    lecture = read_lecture(sources(names), letters, notation)
+    lecture = replace(read_lecture(sources(names), letters, notation), refuted=refuted)
     return read_exercises(sources(exercises), lecture, notation)
 
 

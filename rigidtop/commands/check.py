@@ -57,7 +57,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--lines",
         action="store_true",
-        help="the verdict on every line of every page, not on claims",
+        help="the verdict on every line of every page, not on claims; with --json also whether it "
+        "is true in worlds, wherever all is true that it rests on",
     )
     depth = parser.add_mutually_exclusive_group()
     depth.add_argument(
@@ -174,7 +175,8 @@ def _run(
         print(table(numbers, ("error", "tolerance", "", "compared with a computed motion")))
     print()
     counts = [_counts([*trials.values()])] if trials else []
-    for line in (*amiss, *counts, *confirmation, *model[-1:], claims.summary(judgements)):
+    told = [true_in_worlds(lecture)] if lecture is not None and not names else []
+    for line in (*amiss, *counts, *confirmation, *told, *model[-1:], claims.summary(judgements)):
         print(paragraph(line))
     return 0 if passed else claims.FAILED
 
@@ -186,6 +188,19 @@ def faults(lecture: Lecture, ids: Collection[str] | None = None) -> list[str]:
     wrong = [*lecture.unread(), *lecture.faults()]
     said = [f"{file}, line {at}: {problem}" for file, at, problem in wrong]
     return [*said, *(gap(each, lecture.letters) for each in lecture.gaps(ids))]
+
+
+def true_in_worlds(lecture: Lecture) -> str:
+    """How many lines follow, and how many of them are true wherever what they rest on is."""
+    from rigidtop.judge.page import outcome
+
+    lines = [each for each in map(lecture.judged, lecture.lines) if each.follows]
+    counts = Counter(outcome(lecture, each).verdict for each in lines)
+    roots, true = counts["premise"] + counts["definition"], counts["sampled"]
+    return (
+        f"{len(lines)} lines follow: {roots} laws and definitions, {true} that are true in every "
+        f"world of what they rest on, and {len(lines) - roots - true} not compared there"
+    )
 
 
 def asked(lecture: Lecture, models: Sequence[Any], names: Sequence[str]) -> list[str]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from sympy import MatrixBase
 
-from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.nodes import Letter, Node, Number, letters
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +45,10 @@ class Constraint:
     until: int | None = None
     """The sentence with which it ends, where it is said of one place."""
 
+    @property
+    def letters(self) -> frozenset[Letter]:
+        return letters(self.left) | letters(self.right)
+
 
 @dataclass(frozen=True)
 class Habits:
@@ -52,7 +56,8 @@ class Habits:
 
     `moving` are those that have a rate somewhere, `functions` those that are written with a place
     behind them, `indices` count particles; `own` are i and e where the text makes them letters, and
-    `lengths` are letters that stand for the length of the vector of that name.
+    `lengths` are letters that stand for the length of the vector of that name, and `vectors` are
+    those without an index.
     """
 
     moving: frozenset[Letter] = frozenset()
@@ -61,6 +66,7 @@ class Habits:
     own: frozenset[Letter] = frozenset()
     primes_are_rates: bool = False
     lengths: frozenset[Letter] = frozenset()
+    vectors: frozenset[Letter] = frozenset()
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,13 +83,25 @@ class Context:
     """Letters that come out of what holds, as forces and amplitudes do: they may be zero."""
     supported: frozenset[int] = frozenset()
     """The numbers of the statements from which something has been found to follow."""
+    doubted: frozenset[int] = frozenset()
+    """The numbers of definitions of letters of which the text has said something else since."""
+    given: frozenset[Letter] = frozenset()
+    """Letters of what is given with a task: what they stand for is settled, or they are free."""
+    declared: frozenset[Letter] = frozenset()
+    """Letters that have a meaning where the task comes from: an answer does not bring them."""
     lawless: bool = False
     """Whether nothing is known of how things move: a Lagrangian is one function more."""
+    timeless: bool = False
+    """Whether nothing is said of time: no rate has a meaning."""
     bases: tuple[MatrixBase, ...] = ()
     """The axes in which components may be meant, each as a matrix of its unit vectors in space."""
     basis: MatrixBase | None = None
+    componentwise: bool = False
+    """Whether ω₁ is a component of a vector **ω** of which nothing says what it is."""
     bounds: tuple[tuple[Node, Node], ...] = ()
     """What is said to be no smaller than something else."""
+    little: tuple[frozenset[Letter], ...] = ()
+    """Letters that are said to be much smaller than others, together at a time."""
     head: Letter | None = None
     """The letter with which the chain begins that is being read."""
 
@@ -92,6 +110,15 @@ class Context:
         kept = {x: definition for x, definition in self.definitions.items() if x != letter}
         return replace(self, definitions=kept)
 
+    def freeing(self, *nodes: Node) -> Context:
+        """Without the numbers that were given to letters of which something else is supposed."""
+        context = self
+        for letter in nodes:
+            definition = self.definitions.get(letter) if isinstance(letter, Letter) else None
+            if definition is not None and isinstance(definition.node, Number):
+                context = context.forgetting(letter)  # type: ignore[arg-type]
+        return context
+
     def defining(self, letter: Letter, definition: Definition) -> Context:
         """With a letter that stands for something from here on."""
         return replace(self, definitions={**self.definitions, letter: definition})
@@ -99,6 +126,13 @@ class Context:
     def holding(self, constraint: Constraint) -> Context:
         """With something more that holds."""
         return replace(self, constraints=(*self.constraints, constraint))
+
+    def doubting(self, node: Node) -> Context:
+        """With a doubt of what a letter stands for."""
+        definition = self.definitions.get(node) if isinstance(node, Letter) else None
+        if definition is None:
+            return self
+        return replace(self, doubted=self.doubted | {definition.number})
 
     def knowing(self, letters: frozenset[Letter]) -> Context:
         return replace(self, letters=self.letters | letters)

@@ -12,11 +12,12 @@ True
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import sympy
-from sympy import Expr, Integer, Symbol
+from sympy import Add, Expr, Integer, Mul, Symbol
 
 from rigidtop.tree.nodes import Letter
 
@@ -59,19 +60,55 @@ def jet_of(x: Symbol) -> Jet | None:
     return Jet(letter, int(order), where, instant)
 
 
-def jets(expression: Expr) -> dict[Symbol, Jet]:
+@lru_cache(maxsize=20_000)
+def symbols(expression: Expr) -> frozenset[Symbol]:
+    """All that an expression has in place of numbers."""
+    return frozenset(expression.free_symbols)
+
+
+@lru_cache(maxsize=20_000)
+def operations(expression: Expr) -> int:
+    """How many operations make an expression: about what `count_ops` says, but cheap."""
+    args = expression.args
+    return sum(map(operations, args)) + max(len(args) - 1, 1) if args else 0
+
+
+@lru_cache(maxsize=20_000)
+def jets(expression: Expr) -> Mapping[Symbol, Jet]:
     """The numbers that an expression speaks of."""
-    found = ((x, jet_of(x)) for x in expression.free_symbols)
+    found = ((x, jet_of(x)) for x in symbols(expression))
     return {x: jet for x, jet in found if jet is not None}
 
 
 def rate(expression: Expr, moving: frozenset[Letter]) -> Expr:
     """The derivative in time, every letter that does not move being constant."""
-    made = expression.diff(TIME) if expression.has(TIME) else Integer(0)
-    for x, jet in jets(expression).items():
-        if jet.order or jet.letter in moving:
-            made += expression.diff(x) * symbol(replace(jet, order=jet.order + 1))
-    return made
+    return _rate(sympy.sympify(expression), moving)
+
+
+@lru_cache(maxsize=50_000)
+def _rate(node: Expr, moving: frozenset[Letter]) -> Expr:
+    """The same; each part of an expression is differentiated once."""
+    if node.is_Symbol:
+        jet = jet_of(node)
+        if jet is None:
+            return Integer(int(node == TIME))
+        moves = jet.order or jet.letter in moving
+        return symbol(replace(jet, order=jet.order + 1)) if moves else Integer(0)
+    if node.is_Add:
+        return Add(*(_rate(x, moving) for x in node.args))
+    if node.is_Mul:
+        slopes = [(k, _rate(x, moving)) for k, x in enumerate(node.args)]
+        return Add(*(_with_factor(node.args, k, x) for k, x in slopes if x != 0))
+    if node.is_Pow and _rate(node.exp, moving) == 0:
+        slope = _rate(node.base, moving)
+        return node.exp * node.base ** (node.exp - 1) * slope if slope != 0 else slope
+    terms = [(x, _rate(x, moving)) for x in symbols(node)]
+    return Add(*(node.diff(x) * slope for x, slope in terms if slope != 0))
+
+
+def _with_factor(factors: Sequence[Expr], place: int, factor: Expr) -> Expr:
+    """A product with another factor in one place."""
+    return Mul(*factors[:place], factor, *factors[place + 1 :])
 
 
 def at_instant(expression: Expr, instant: str, moving: frozenset[Letter], time: Expr) -> Expr:

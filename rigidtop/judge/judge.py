@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from math import inf
 
+import numpy as np
+from numpy.typing import NDArray
 from sympy import (
     Add,
     Basic,
@@ -52,13 +56,14 @@ from rigidtop.judge.meaning import (
     UnclearError,
     Value,
     function_name,
+    is_component,
     is_vector,
     pairs,
     particles,
     plain,
 )
 from rigidtop.judge.numbers import agree, are_numbers, rounded, share
-from rigidtop.judge.orders import nearly
+from rigidtop.judge.orders import Scaling, differ, nearly, scalings, small_together
 from rigidtop.judge.outcome import (
     ASSUMING,
     DEFINITION,
@@ -81,8 +86,17 @@ EQUALS = ("=", "≡")
 NEARLY = ("≈", "∼")
 CONDITIONS = ("≠", "<", ">", "≤", "≥", "≪", "≫")
 
+BOTH_ROOTS = ("1,2", "1/2", "12")
+"""Indices under which both roots stand in one formula."""
+
+MOST_NUMBERS = 8
+"""Of a counterexample no more numbers are told."""
+
 MOST_LETTERS = 16
 """So many letters are tried in place of others."""
+
+NUMBERS = 1.5
+"""Up to this rank a slip is one of a sign or a number."""
 
 SLIP_SECONDS, ALL_SLIPS_SECONDS = 1.5, 12.0
 """How long the change that makes a statement right is looked for: in one, and in a whole text (s,
@@ -134,17 +148,25 @@ class Judge:
         """What becomes of a statement, and what is known after it."""
         outcome, after = self._in_context(statement, situation, context)
         if situation.asked and not outcome.passed:
-            return Outcome(UNDECIDED, "it is asked, or denied"), context
+            return Outcome(UNDECIDED, "it is asked, or denied"), context.doubting(
+                statement.sides[0]
+            )
+        if outcome.verdict == FALSE and outcome.rests_on & context.doubted:
+            why = "it rests on what has been said in two ways"
+            return Outcome(UNDECIDED, why, outcome.rests_on), context
+        if outcome.verdict == UNDECIDED:
+            after = after.doubting(statement.sides[0])
         supposed = situation.supposed and outcome.verdict == FALSE
         if situation.closed or outcome.passed or not (situation.case or supposed):
             return outcome, after
         # What is said of a case says nothing of the others.
+        context = context.doubting(statement.sides[0])
         return Outcome("premise", "a special case"), context.knowing(_letters(statement))
 
     def _in_context(
         self, statement: Statement, situation: Situation, context: Context
     ) -> tuple[Outcome, Context]:
-        if context.bases and context.basis is None and _has_components(statement):
+        if context.bases and context.basis is None and has_components(statement):
             return self._in_some_axes(statement, situation, context)
         head, _ = _named(statement.sides[0])
         named = self._with_momentum(head, context, situation)
@@ -152,7 +174,23 @@ class Judge:
             found = self._judged(statement, situation, named)
             if found[0].verdict != UNDECIDED:
                 return found
-        return self._judged(statement, situation, context)
+        return self._with_components(statement, situation, context)
+
+    def _with_components(
+        self, statement: Statement, situation: Situation, context: Context
+    ) -> tuple[Outcome, Context]:
+        """The outcome where ω₁ is a component of the vector, if it follows so; else as it is.
+
+        Once something has followed so, what does not is judged so too.
+        """
+        names, vectors = _letters(statement), context.habits.vectors
+        usual = self._judged(statement, situation, context)
+        settled = usual[0].passed or usual[0].verdict == DEFINITION
+        if settled or not any(is_component(x, v) for x in names for v in vectors):
+            return usual
+        other = replace(context, componentwise=not context.componentwise)
+        found = self._judged(statement, situation, other)
+        return found if found[0].passed else usual
 
     def _in_some_axes(
         self, statement: Statement, situation: Situation, context: Context
@@ -172,6 +210,7 @@ class Judge:
     def _judged(
         self, statement: Statement, situation: Situation, context: Context
     ) -> tuple[Outcome, Context]:
+        statement = _with_constant_last(statement)
         outcomes = []
         before = context
         head, _ = _named(statement.sides[0])
@@ -180,8 +219,14 @@ class Judge:
         try:
             for k, relation in enumerate(statement.relations):
                 left, right = statement.sides[k : k + 2]
-                link = Link(self, left, right, situation, context, k > 0 or statement.continues)
+                inner = k > 0 or statement.continues
+                if _gives_all_a_value(statement):
+                    right, inner = statement.sides[-1], statement.continues
+                link = Link(self, left, right, situation, context, inner)
                 outcome, context = self._link(link, relation)
+                if outcome.verdict == FALSE and len(statement.relations) > 1:
+                    where = f"{in_words(left)} {relation} {in_words(right)}"
+                    outcome = replace(outcome, why=f"{where}: {outcome.why}")
                 outcomes.append(outcome)
         except (UnclearError, UnknownFunctionError) as why:
             return Outcome(UNDECIDED, str(why)), before.knowing(_letters(statement))
@@ -217,14 +262,18 @@ class Judge:
         return n.Sum((*terms, n.Negative(function)))
 
     def _link(self, link: Link, relation: str) -> tuple[Outcome, Context]:
+        if relation in CONDITIONS and link.at.inline:
+            link = replace(link, context=link.context.freeing(link.left, link.right))
         if isinstance(link.right, n.Constant):
-            return replace(link, left=n.Rate(link.left), right=n.Number("0")).judged()
+            link = replace(link, left=n.Rate(link.left), right=n.Number("0"))
         if relation in EQUALS:
             if not (_has_sign(link.left) or _has_sign(link.right)):
                 return link.judged()
             return link.judged_with_signs()
         if relation in NEARLY:
-            return link.judged_nearly()
+            if not (_has_sign(link.left) or _has_sign(link.right)):
+                return link.judged_nearly()
+            return link.each_sign(Link.judged_nearly)
         if relation in ("≥", ">", "≤", "<") and not link.inner:
             turned = relation in ("≤", "<")
             sides = (link.right, link.left) if turned else (link.left, link.right)
@@ -234,8 +283,14 @@ class Judge:
             return replace(link, left=sides[0], right=sides[1]).judged_bound()
         if relation in CONDITIONS:
             context = link.context
-            if relation == "≠" and link.right == n.Number("0"):
-                context = replace(context, not_zero=(*context.not_zero, link.left))
+            equal = link.at.closed and relation == "≠"
+            if equal and (link.left == link.right or link.judged()[0].passed):
+                return Outcome(FALSE, "the two are equal"), context
+            if relation == "≠":
+                gap = n.Sum((link.left, n.Negative(link.right)))
+                context = replace(context, not_zero=(*context.not_zero, gap))
+            elif relation in ("≪", "≫"):
+                context = replace(context, little=_with_little(context.little, link, relation))
             return Outcome("premise", "a condition"), context
         raise UnclearError(f"{relation} is not judged")
 
@@ -273,8 +328,41 @@ class Link:
         if holds:
             if self.left == self.right:
                 return Outcome(UNDECIDED, "it says nothing"), self.context
+            return self._always() or self._follows()
+        if self._is_kept(self.both):
             return self._follows()
         return self._fails(holds)
+
+    def _always(self) -> tuple[Outcome, Context] | None:
+        """What becomes of it for all times, where it says no more than 0 = 0 of one instant."""
+        said = not (self.at.instant and n.Number("0") not in (self.left, self.right))
+        if said or not self.worlds.vanish([x for pair in self.both for x in pair]):
+            return None
+        always = replace(self, at=replace(self.at, instant=""))
+        outcome, context = always.judged()
+        return (outcome, context) if outcome.passed is not None or not self.at.inline else None
+
+    def _is_kept(self, both: Sequence[tuple[Expr, Expr]]) -> bool:
+        """Whether the difference of both sides does not change, and vanishes at an instant."""
+        instants = {c.instant for c in self.context.constraints if c.instant}
+        if self.at.instant or self.tried is not None or not self.worlds.count or not instants:
+            return False
+        moving = self.context.habits.moving
+        rates = [(rate(a, moving), rate(b, moving)) for a, b in both]
+        if all(a == b == 0 for a, b in rates):
+            return False
+        if self.times is None:
+            then = [(self._at(a, x), self._at(b, x)) for a, b in both for x in instants]
+            self.times = self._asked(self.context, [*both, *rates, *then]).worlds
+        return bool(self.times.holds(rates)) and any(
+            self.times.holds([(self._at(a, x), self._at(b, x)) for a, b in both]) for x in instants
+        )
+
+    times: w.Worlds | None = None
+    """Worlds of now and of the instants of which something is known."""
+
+    def _at(self, expression: Expr, instant: str) -> Expr:
+        return moved(expression, instant, self.context, self.judge.memory)
 
     def _says_that_nothing_moves(self) -> bool:
         """Whether both sides are rates, which vanish only as no letter of theirs moves."""
@@ -290,8 +378,11 @@ class Link:
             roots = replace(self)._roots()
             if roots is not None:
                 return roots, self.context
-        if letter is not None and not self.inner:
-            root = replace(letter, sub=letter.sub.strip("±∓"))
+        both = {self._meaning(sign=x).named(letter) for x in (1, -1) if letter is not None}
+        settled = len(both) > 1 and both <= self.context.definitions.keys()
+        if letter is not None and not self.inner and not settled:
+            sub = letter.sub.replace(" ", "").strip("±∓")
+            root = replace(letter, sub="" if sub in BOTH_ROOTS else sub)
             link = replace(self, left=root)
             roots = link._roots()
             if roots is not None:
@@ -302,14 +393,26 @@ class Link:
                     named = replace(self, right=right, context=context, sign=sign)
                     _, context = named.judged()
                 return roots, context
+            if sub in BOTH_ROOTS:
+                return self.each_sign(Link.judged, [replace(letter, sub=x) for x in "12"])
+        return self.each_sign(Link.judged)
+
+    def each_sign(
+        self, judged: Callable[[Link], tuple[Outcome, Context]], names: Sequence[Node] = ()
+    ) -> tuple[Outcome, Context]:
+        """The outcome of the upper signs and of the lower ones, each with its name if given."""
         outcomes, context = [], self.context
-        for sign in (1, -1):
-            outcome, context = replace(self, context=context, sign=sign).judged()
+        for sign, name in zip((1, -1), names or (self.left, self.left), strict=True):
+            outcome, context = judged(replace(self, left=name, context=context, sign=sign))
             outcomes.append(outcome)
         return joint(outcomes), context
 
     def _roots(self) -> Outcome | None:
         """Whether a letter that an equation speaks of is one of both values; None: none does."""
+        if self.at.instant:
+            always = replace(self, at=replace(self.at, instant=""))._roots()
+            if always is not None and always.passed:
+                return always
         letter = self.left
         self.pool = self._pool(self.context)
         if (
@@ -326,10 +429,23 @@ class Link:
         self.both, self.used = both, frozenset(used)
         self._surround()
         self.roots = True
-        if self.worlds.holds_one(self.both):
+        if self.worlds.holds_one(self.both) or self._are_roots():
             return self._follows()[0]
-        slip = self._slip()
+        slip = self._slip() or (self._refuted() if self.at.closed else None)
         return slip or Outcome(UNDECIDED, "it does not follow from what stands above")
+
+    def _are_roots(self) -> bool:
+        """Whether all that speaks of a letter holds with each of both values in its place."""
+        x = symbol(Jet(self.left)) if isinstance(self.left, Letter) else None
+        laws = [each for each in self.pool if x is not None and each.expression.has(x)]
+        if not laws or any(x is None or right.has(x) for _, right in self.both):
+            return False
+        spoken = {each.constraint for each in laws}
+        others = tuple(c for c in self.context.constraints if c not in spoken)
+        gaps = [
+            (each.expression.subs(x, right), 0 * TIME) for each in laws for _, right in self.both
+        ]
+        return self._asked(replace(self.context, constraints=others), gaps).holds()
 
     def judged_bound(self) -> tuple[Outcome, Context]:
         """The same where the left side is said to be no smaller than the right one.
@@ -391,7 +507,7 @@ class Link:
         nearly = self._nearly(self.both)
         if nearly is not None:
             return nearly
-        slip = self._slip(nearly=True)
+        slip = self._slip(nearly=True) or self._differ_nearly()
         if slip is not None:
             return slip, self.context
         return Outcome(UNDECIDED, "it is not seen for what it is nearly true"), self.context
@@ -413,14 +529,34 @@ class Link:
     def _alike(self, both: Sequence[tuple[Expr, Expr]]) -> str:
         if not self.worlds.count:
             return ""
-        which = "small" if self.at.small else "large" if self.at.large else ""
-        moving = self.context.habits.moving
         words = {
-            nearly(left, right, self.equations, self.worlds, moving, which)
+            nearly(left, right, self.equations, self.worlds, self._scalings())
             for left, right in both
             if left != right
         }
         return words.pop() if len(words) == 1 else ""
+
+    def _scalings(self) -> list[Scaling]:
+        """What may be small or large here: what is said to be, before what is only possible."""
+        which = "small" if self.at.small else "large" if self.at.large else ""
+        said = [small_together(x, self.worlds) for x in self.context.little]
+        usual = scalings(self.worlds, self.equations, self.context.habits.moving, which)
+        return [*filter(None, said), *usual]
+
+    def _differ_nearly(self) -> Outcome | None:
+        """That both sides do not become alike, where it is said for what they should."""
+        said = [*filter(None, (small_together(x, self.worlds) for x in self.context.little))]
+        if self.at.large and not said:
+            said = scalings(self.worlds, self.equations, self.context.habits.moving, "large")
+        if not self.at.closed or not self.worlds.count:
+            return None
+        rests_on = (self.used | self.rests_on) - {self.at.number}
+        for left, right in self.both:
+            found = [differ(left, right, self.equations, self.worlds, each) for each in said]
+            if found and all(found):
+                words = said[0].words if len(said) == 1 else "what is said to be large"
+                return Outcome(FALSE, f"the sides do not become alike for {words}", rests_on)
+        return None
 
     def _numbers(self, nearly: bool = False) -> Outcome:
         """Whether numbers agree to the digits that are written."""
@@ -437,7 +573,8 @@ class Link:
     # --- what it means ---------------------------------------------------------------------------
 
     def _meaning(self, **changes: object) -> Meaning:
-        return Meaning(self.context, self.judge.memory, sign=self.sign, **changes)  # type: ignore[arg-type]
+        changes = {"sign": self.sign, **changes}
+        return Meaning(self.context, self.judge.memory, **changes)  # type: ignore[arg-type]
 
     def _sides(self, meaning: Meaning, left: Node, right: Node) -> list[tuple[Expr, Expr]]:
         """Both sides as expressions, for each particle if they speak of any one; now or then."""
@@ -514,11 +651,13 @@ class Link:
         letter, places = _named(name)
         if letter is None or self.at.instant or isinstance(other, n.Constant):
             return None
+        if letter == Letter("π") and letter not in self.context.habits.own:
+            return None
         letter = self._meaning().named(letter)
         index = next((x for x in self.context.habits.indices if letter.sub == x), "")
         if letter in self.context.definitions and not self._only_names(letter):
             return None
-        if letter in _own_letters(other):
+        if letter in self.context.given or letter in _own_letters(other):
             return None
         bound = {index: 0} if index else {}
         meaning = self._meaning(bound=bound)
@@ -527,6 +666,8 @@ class Link:
             return None
         if meaning._component(letter) is not None:
             return None
+        if letter in self.context.habits.moving and are_numbers(value, value) and self.at.inline:
+            return None  # a place where it may be
         if name is self.right and self._moves(value):
             return None  # x + y = s ties x to y, and s is what it is
         if is_vector(letter) and not isinstance(value, MatrixBase) and value != 0:
@@ -592,6 +733,7 @@ class Link:
             self._anew,
             self._of_new_letters,
             self._setting,
+            self._chosen,
             self._fixing,
         ):
             outcome = attempt()
@@ -602,7 +744,8 @@ class Link:
         if holds is None:
             return Outcome(UNDECIDED, "no world was found in which all above holds"), self.context
         if self.at.closed:
-            return self._slip() or self._refuted(), self.context
+            nearly = self._slip(nearly=True) if self.at.small or self.at.large else None
+            return nearly or self._slip() or self._refuted(), self.context
         slip = self._slip()
         if slip is not None:
             return slip, self._righted()
@@ -615,19 +758,44 @@ class Link:
         return Outcome(UNDECIDED, "it does not follow from what stands above"), self.context
 
     def _refuted(self) -> Outcome:
-        """That it fails in a world, and in which."""
+        """That it fails in a world, with the numbers of its letters and of both sides there."""
         rests_on = (self.used | self.rests_on) - {self.at.number}
-        point = self.worlds.points[:, 0] if self.worlds.count else ()
-        told = ", ".join(
-            f"{in_words(written(x))} = {value.real:.3g}"
-            for x, value in zip(self.worlds.letters, point, strict=False)
-            if jet_of(x) is not None
-        )
-        return Outcome(FALSE, f"it does not hold, for instance where {told}", rests_on)
+        named = self._numbered()
+        for left, right in self.both:
+            try:
+                at = self.worlds.program.values([*named.values(), left, right]).values.real
+            except UnknownFunctionError:
+                break
+            fails = [k for k in range(self.worlds.count) if not agree_in(at[-2:, k])]
+            if fails:
+                *numbers, here, there = at[:, fails[0]]
+                told = [f"{x} = {v:.3g}" for x, v in zip(named, numbers, strict=True)]
+                where = f"at {', '.join(told[:MOST_NUMBERS])}: " if told else ""
+                both = f"the left side is {here:.4g}, the right side {there:.4g}"
+                return Outcome(FALSE, (where + both).replace("-", "−"), rests_on)
+        return Outcome(FALSE, "it does not hold", rests_on)
+
+    def _numbered(self) -> dict[str, Expr]:
+        """The letters and rates that stand in it and have a number in its worlds."""
+        meaning, found = self._meaning(), dict[str, Expr]()
+        for node in (x for side in (self.left, self.right) for x in n.walked(side)):
+            if isinstance(node, Letter) or (isinstance(node, n.Rate) and node.dotted):
+                with suppress(UnclearError):
+                    value = meaning.scalar(node)
+                    if value.free_symbols <= {*self.worlds.letters}:
+                        found[in_words(node)] = value
+        return found
 
     def _as_said_nearly(self) -> tuple[Outcome, Context] | None:
         """What words say is true for what is small or large, though "=" is written."""
-        return self._nearly(self.both) if self.at.small or self.at.large else None
+        if not (self.at.small or self.at.large):
+            return None
+        nearly = self._nearly(self.both)
+        if nearly is None:
+            return None
+        # Another sign, or twice as much, is no approximation.
+        slip = self._slip(most=NUMBERS)
+        return nearly if slip is None else (slip, self._righted())
 
     def _force(self) -> tuple[Outcome, Context] | None:
         """Lagrange's equation with a force on its right side, which holds from here on."""
@@ -742,6 +910,10 @@ class Link:
             and not self.at.closed
             and self._asked(tried, [(x, x) for x in letters]).worlds.count
         ):
+            # One of known letters alone that solves what holds with another number is wrong.
+            slip = None if self._new_letters() else self._slip(most=NUMBERS)
+            if slip is not None:
+                return slip, self._righted()
             return Outcome(DEFINITION, f"a motion of {in_words(self.left)} that is tried"), context
         return None
 
@@ -755,6 +927,15 @@ class Link:
         gaps = [(each.expression.subs(put, simultaneous=True), 0 * TIME) for each in path.laws()]
         solved = {each.constraint for each in path.laws()}
         left = tuple(c for c in path.context.constraints if c not in solved)
+        if not self._new_letters():  # else they say what the new letters are
+            starts = tuple(c for c in left if c.instant and path.letter in c.letters)
+            tried = Definition(Meant(value), self.at.number, self.at.scope)
+            begun = residuals(
+                replace(path.context.defining(path.letter, tried), constraints=starts),
+                self.judge.memory,
+            )
+            gaps += [(each.expression, 0 * TIME) for each in begun if each.constraint in starts]
+            left = tuple(c for c in left if c not in starts)
         return self._asked(replace(path.context, constraints=left), gaps).holds()
 
     def _of_new_letters(self) -> tuple[Outcome, Context] | None:
@@ -776,7 +957,8 @@ class Link:
                 self._constraint(PREMISE)
             )
         wrong = [x for x in new if x not in self.at.declared]
-        if len(wrong) == 1 and not isinstance(self.left, Letter) and len(new) == 1:
+        names_it = isinstance(self.left, Letter) or _own_letters(self.left) <= {*new}
+        if len(wrong) == 1 and not names_it and len(new) == 1:
             slip = self._slip(letter=wrong[0])
             if slip is not None:
                 return slip, self.context
@@ -791,15 +973,18 @@ class Link:
 
     def _results(self, new: Sequence[Letter]) -> frozenset[Letter]:
         """New letters that stand alone as a term, as the force in m z̈ = N − m g."""
+        if self.at.instant:
+            return frozenset()
         gaps = [a - b for a, b in self.both]
         alone = {x for x in new for gap in gaps if gap.diff(symbol(Jet(x))) in (1, -1)}
         return frozenset(alone)
 
     def _is_of_new_functions(self) -> bool:
-        sides = [x for pair in self.both for x in pair]
         known = {x for e in self.equations for x in e.free_symbols}
         return any(
-            x.name.startswith("f(") and x not in known for e in sides for x in e.free_symbols
+            x.name.startswith("f(") and x not in known
+            for left, right in self.both
+            for x in left.free_symbols ^ right.free_symbols
         )
 
     def _rate_follows(self, letter: Letter) -> bool:
@@ -825,7 +1010,8 @@ class Link:
         for definition in self.context.definitions.values():
             spoken |= n.letters(definition.node)
         meant = {x for pair in self.both for side in pair for x in _letters_of(side)}
-        return sorted(meant - spoken - {*self.context.definitions}, key=str)
+        spoken |= self.context.definitions.keys() | self.context.given | self.context.declared
+        return sorted(meant - spoken, key=str)
 
     def _solved(self, letter: Letter) -> Node | None:
         """What a new letter is by a linear equation; None where it is not linear, or moves."""
@@ -842,8 +1028,10 @@ class Link:
 
     def _constraint(self, kind: str) -> Constraint:
         at = self.at
-        moving = self.context.habits.moving
-        moves = bool((_own_letters(self.left) | _own_letters(self.right)) & moving)
+        names = _own_letters(self.left) | _own_letters(self.right)
+        moves = bool(names & self.context.habits.moving) or any(
+            self._moves(x) for pair in self.both for x in pair
+        )
         # Said of one place, r = R ŷ ends with its sentence, unless the motion passes there.
         placed = at.instant and not moves and isinstance(self.left, Letter)
         until = at.sentence if placed else None
@@ -857,7 +1045,8 @@ class Link:
         given = _is_setting(self.left, self.right, known) or self._is_value()
         given = given or bool(at.instant and at.inline)
         if (
-            self.inner
+            (self.inner and not _is_start(self.left))
+            or (at.closed and not (at.supposed or at.instant or _is_start(self.left)))
             or not (at.supposed or given)
             or (at.derived and not (at.supposed or at.opens or (at.instant and at.inline)))
         ):
@@ -872,6 +1061,37 @@ class Link:
             if self._asked(context, self.both).worlds.count:
                 return Outcome("premise", what, self.used), context
         return None
+
+    def _chosen(self) -> tuple[Outcome, Context] | None:
+        """A value for a letter that a text has brought itself and has left free so far."""
+        if not self.at.closed or self.at.instant:
+            return None
+        asked = {x for pair in self.both for side in pair for x in side.free_symbols}
+        own = {x for x in asked if (jet := jet_of(x)) is not None and self._is_own(jet)}
+        if not own or not _is_setting(self.left, self.right, self.context.definitions):
+            return None
+        gaps = [a - b for a, b in self.both]
+        if any(self._moves(gap) for gap in gaps):
+            return None
+        # What moves follows such a value, as ω₁ = A cos Ωt does.
+        free = [x for x in self.worlds.letters if x in own or self._moves(x)]
+        context = self.context.holding(self._constraint(SETTING))
+        before = w.rank(self.equations, self.worlds, free)
+        chosen = w.rank([*self.equations, *gaps], self.worlds, free) == before + len(gaps)
+        timed = any(each.has(TIME) for each in self.equations)
+        if not chosen and not (timed and self._asked(context, self.both).worlds.count):
+            return None
+        return Outcome(PREMISE, "it is chosen", self.used), context
+
+    def _is_own(self, jet: Jet) -> bool:
+        """Whether it is a constant that no facts know and nothing else is called."""
+        known = (
+            self.context.given
+            | self.context.declared
+            | self.context.habits.moving
+            | self.context.definitions.keys()
+        )
+        return not jet.order and not jet.place and jet.letter not in known
 
     def _anew(self) -> tuple[Outcome, Context] | None:
         """A letter that is used again in another part of the text."""
@@ -903,7 +1123,10 @@ class Link:
         at = self.at
         within = at.scope[: len(definition.scope)] == definition.scope
         said = at.scope != definition.scope and (at.defined or at.supposed) and not at.derived
-        return not self.inner and (said or not within)
+        # A property, as a moment of inertia, is another body's; what moves is a special motion.
+        moves = any(self._moves(x) for pair in self.both for x in pair)
+        other = at.supposed and at.inline and not (moves or at.small or at.large)
+        return not within or (not self.inner and (said or other))
 
     def _value_anew(self) -> tuple[Outcome, Context] | None:
         """A number that is given to a letter in place of the one that it had in another problem."""
@@ -912,7 +1135,8 @@ class Link:
         if letter is None or definition is None or self.at.instant:
             return None
         given = not _own_letters(definition.node) and not _own_letters(self.right)
-        if not given or not self._may_be_anew(definition) or self._numbers().passed:
+        other = self.at.inline and not (self.at.derived or self.inner)
+        if not given or not (other or self._may_be_anew(definition)) or self._numbers().passed:
             return None
         made = Definition(self.right, self.at.number, self.at.scope)
         context = self.context.defining(letter, made)
@@ -920,7 +1144,7 @@ class Link:
 
     def _fixing(self) -> tuple[Outcome, Context] | None:
         """An equation of motion of what no law moves: it fixes a highest rate that was free."""
-        if not self.worlds.count or self.inner or self.at.instant:
+        if not self.worlds.count or self.inner or self.at.instant or self.at.closed:
             return None
         head = self.left.of if isinstance(self.left, n.Rate) else self.left
         if isinstance(head, Letter) and head in self.context.definitions:
@@ -985,9 +1209,14 @@ class Link:
 
     # --- what is wrong with it -------------------------------------------------------------------
 
-    def _slip(self, letter: Letter | None = None, nearly: bool = False) -> Outcome | None:
-        """The one change with which it holds in every world; of one `letter` alone, if given."""
-        if not self.worlds.count:
+    def _slip(
+        self, letter: Letter | None = None, nearly: bool = False, most: float = inf
+    ) -> Outcome | None:
+        """The one change with which it holds in every world; of one `letter` alone, if given.
+
+        Of the changes none is less likely than `most`.
+        """
+        if not self.worlds.count or self.judge.left_for_slips <= 0:
             return None
         begun = time.process_time()
         until = begun + min(SLIP_SECONDS, self.judge.left_for_slips)
@@ -1001,7 +1230,7 @@ class Link:
             self.shared = self._meaning().remembering(self.left, self.right)
         right_one = None
         for change in changes(self.left, self.right, known, moving, letter, indices):
-            if time.process_time() > until:
+            if time.process_time() > until or change.rank > most:
                 break
             if self._is_right(change, nearly):
                 right_one = change
@@ -1076,7 +1305,7 @@ class Link:
                 before = self.tried.before.context.defining(letter, replace(definition, node=node))
                 link.tried = replace(self.tried, before=replace(link, context=before))
                 value = link._meaning().scalar(self.right)
-                link.used, link.pool = self.used, link._pool(other)
+                link.both, link.used, link.pool = self.both, self.used, link._pool(other)
                 return link._solves(value)
             both = link._sides(link._meaning(), self.left, self.right)
         except UnclearError:
@@ -1087,14 +1316,15 @@ class Link:
         """Worlds in which the letters that a change may put in have numbers too."""
         more: list[Expr] = []
         for letter in sorted(known, key=str)[:MOST_LETTERS]:
-            orders = range(3) if letter in self.context.habits.moving else range(1)
+            moves = letter in self.context.habits.moving and not self.context.timeless
             try:
                 value = self._meaning().value(letter)
             except UnclearError:
                 continue
-            for _ in orders:
-                more += list(value) if isinstance(value, MatrixBase) else [value]
+            more += list(value) if isinstance(value, MatrixBase) else [value]
+            for _ in range(2 * moves):
                 value = self._meaning().rate(value)
+                more += list(value) if isinstance(value, MatrixBase) else [value]
         if self.at.instant:
             more = [self._then(x) for x in more]
         wide = self._asked(self.context, [*self.both, *((x, x) for x in more)])
@@ -1121,6 +1351,8 @@ class Link:
             and self.right == n.Number("0")
         ):
             return False  # any letter may be zero
+        if isinstance(self.right, Letter) and change.right == self.context.head:
+            return False  # a chain may not end with what it begins with
         meaning = self.shared or self._meaning()
         if self.tried is not None and not nearly:
             if change.left != self.left:
@@ -1144,12 +1376,14 @@ class Link:
         if not {x for side in flat for x in side.free_symbols} <= {*self.worlds.letters}:
             return False
         if self.roots:
-            return self.worlds.holds_one(both)
+            return self.worlds.holds_one(both) and not self.worlds.vanish(flat)
         if self.bound is not None:
             return self._is_bound(both)
         if nearly:
             return change.rank < 3 and bool(self._alike(both))
-        return bool(self.worlds.holds(both, trivially=False)) and change.left != change.right
+        if change.left == change.right:
+            return False
+        return bool(self.worlds.holds(both, trivially=False)) or self._is_kept(both)
 
 
 @dataclass(frozen=True, eq=False)
@@ -1166,6 +1400,37 @@ class Path:
         return [
             each for each in pool if _speaks_of(each.expression, self.letter) and not each.instant
         ]
+
+
+def _with_constant_last(statement: Statement) -> Statement:
+    """A chain in which a constant stands at the end: a = const = b is a = b = const."""
+    sides = [side for side in statement.sides if not isinstance(side, n.Constant)]
+    if len(sides) in (len(statement.sides), 0) or not {*statement.relations} <= {*EQUALS}:
+        return statement
+    constant = n.Constant()
+    return replace(statement, sides=(*sides, constant), relations=("=",) * len(sides))
+
+
+def _gives_all_a_value(statement: Statement) -> bool:
+    """Whether it gives one number to several letters or rates: ω₁ = ω₂ = 0."""
+    *sides, value = statement.sides
+    bare = (x.of if isinstance(x, n.Rate) and x.dotted else x for x in sides)
+    named = all(isinstance(x, Letter) or _is_start(x) for x in bare)
+    return named and isinstance(value, n.Number) and {*statement.relations} == {"="}
+
+
+def _with_little(
+    known: tuple[frozenset[Letter], ...], link: Link, relation: str
+) -> tuple[frozenset[Letter], ...]:
+    """What is little, with one side more; what is smaller than the same is so together."""
+    small = _own_letters(link.left if relation == "≪" else link.right)
+    alone = tuple(x for x in known if not x <= small)
+    return (*alone, small)
+
+
+def agree_in(pair: NDArray[np.float64]) -> bool:
+    """Whether two numbers differ by no more than rounding."""
+    return bool(abs(pair[0] - pair[1]) <= w.CLOSE * (abs(pair[0]) + abs(pair[1]) + w.CLOSE))
 
 
 def _is_monomial(expression: Expr) -> bool:
@@ -1231,12 +1496,12 @@ def _speaks_of(value: Value, letter: Letter, functions: bool = False) -> bool:
     return any(letter in _letters_of(x) for x in entries)
 
 
-def _has_components(statement: Statement) -> bool:
-    """Whether a column of three components stands in it."""
+def has_components(statement: Statement) -> bool:
+    """Whether a column of three components, or a square of nine, stands in it."""
     return any(
         isinstance(x, n.Component)
         or (isinstance(x, n.Tuple) and len(x.entries) == 3)
-        or (isinstance(x, n.Matrix) and len(x.rows) == 3 and len(x.rows[0]) == 1)
+        or (isinstance(x, n.Matrix) and len(x.rows) == 3 and len(x.rows[0]) in (1, 3))
         for side in statement.sides
         for x in n.walked(side)
     )
@@ -1273,7 +1538,17 @@ def _is_setting(left: Node, right: Node, definitions: Collection[Letter]) -> boo
     value = n.ungrouped(right)
     while isinstance(value, n.Negative):
         value = value.of
-    return isinstance(bare, Letter) and isinstance(value, (n.Number, Letter))
+    if bare is not left and isinstance(value, n.Rate) and isinstance(value.of, Letter):
+        value = value.of if value.of.base == getattr(bare, "base", "") else value
+    named = isinstance(bare, Letter) or _is_start(left)
+    return named and (isinstance(value, (n.Number, Letter)) or _is_start(value))
+
+
+def _is_start(node: Node) -> bool:
+    """Whether it is what a letter is at one time, as in x(0)."""
+    return (
+        isinstance(node, n.Call) and len(node.places) == 1 and isinstance(node.places[0], n.Number)
+    )
 
 
 def _put_in(letter: Letter, value: Expr, context: Context) -> dict[Expr, Expr]:

@@ -10,7 +10,17 @@ from sympy import Expr, Integer, MatrixBase, Symbol
 
 from rigidtop.judge import worlds
 from rigidtop.judge.context import FORCED, LAW, LINEAR, PREMISE, Constraint, Context
-from rigidtop.judge.jets import TIME, Jet, at_instant, jet_of, jets, rate, symbol
+from rigidtop.judge.jets import (
+    TIME,
+    Jet,
+    at_instant,
+    jet_of,
+    jets,
+    operations,
+    rate,
+    symbol,
+    symbols,
+)
 from rigidtop.judge.meaning import (
     LARGEST,
     Meaning,
@@ -198,6 +208,8 @@ def lagrange(
             L, rests_on, _ = lagrangian(context, memory)
     except UnclearError:
         return []
+    L, tied = _in_rates(L, given, context.habits.moving)
+    rests_on |= tied
     q = coordinates(L)
     own = [x for x, jet in jets(L).items() if _is_multiplier(L, x, jet)]
     ties = [] if own else [each for each in given if _is_tie(each, q)]
@@ -215,6 +227,31 @@ def lagrange(
         if gap != 0 and gap.count_ops() <= LARGEST and not forced:
             made.append(Residual(gap, used, LAW))
     return made
+
+
+def _in_rates(
+    L: Expr, given: Sequence[Residual], moving: frozenset[Letter]
+) -> tuple[Expr, frozenset[int]]:
+    """A Lagrangian with rates in place of the velocities that premises tie to them, as R ω = ẋ."""
+    used: frozenset[int] = frozenset()
+    q = {*coordinates(L)}
+    for each in given:
+        found = jets(each.expression).items()
+        rates = [jet for _, jet in found if jet.order == 1]
+        speeds = [
+            x
+            for x, jet in found
+            if not jet.order and jet.letter in moving and jet not in q and L.has(x)
+        ]
+        if each.kind != PREMISE or each.instant or not rates or len(speeds) != 1:
+            continue
+        [speed] = speeds
+        slope = each.expression.diff(speed)
+        if slope.has(speed) or any(jet.order > 1 for _, jet in found):
+            continue
+        L = L.subs(speed, speed - each.expression / slope)
+        used |= each.rests_on
+    return L, used
 
 
 def _has_force(gap: Expr, law: Residual) -> bool:
@@ -270,24 +307,29 @@ def base_of(x: Symbol) -> object:
     return x if jet is None else (jet.letter, jet.place, jet.instant)
 
 
+def related(asked: Iterable[Expr], pool: Sequence[Residual]) -> list[Residual]:
+    """What has a letter of what is asked, or of what has one."""
+    need = {base_of(x) for e in asked for x in symbols(e)} - {TIME}
+    chosen: list[Residual] = []
+    left = [(each, {base_of(x) for x in symbols(each.expression)} - {TIME}) for each in pool]
+    grown = True
+    while grown:
+        grown = False
+        for each, own in list(left):
+            if own & need:
+                left.remove((each, own))
+                chosen.append(each)
+                need |= own
+                grown = True
+    return chosen
+
+
 def surrounding(
     asked: Iterable[Expr], context: Context, pool: Sequence[Residual]
 ) -> tuple[list[Expr], frozenset[int], list[Residual]]:
     """The equations, with their rates, that have to do with what is asked; what they rest on."""
     wanted = list(asked)
-    need = {base_of(x) for e in wanted for x in e.free_symbols} - {TIME}
-    chosen: list[Residual] = []
-    left = list(pool)
-    grown = True
-    while grown:
-        grown = False
-        for each in list(left):
-            own = {base_of(x) for x in each.expression.free_symbols} - {TIME}
-            if own & need:
-                left.remove(each)
-                chosen.append(each)
-                need |= own
-                grown = True
+    chosen = related(wanted, pool)
     equations: list[Expr] = []
     orders = _orders([*wanted, *(each.expression for each in chosen)])
     for each in chosen:
@@ -311,7 +353,7 @@ def _prolonged(residual: Residual, orders: dict[object, int], context: Context) 
     for _ in range(3):
         here = rate(here, moving)
         beyond = any(n > orders.get(x, 0) for x, n in _orders([here]).items())
-        if here == 0 or beyond or here.count_ops() > LARGEST:
+        if here == 0 or beyond or operations(here) > LARGEST:
             break
         made.append(here)
     return made

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -18,7 +19,7 @@ from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Rational, Symbol
 from sympy.core.function import AppliedUndef
 
 from rigidtop.judge.context import Context, Definition
-from rigidtop.judge.jets import TIME, Jet, at_instant, jet_of, jets, rate, symbol
+from rigidtop.judge.jets import TIME, Jet, at_instant, jet_of, jets, operations, rate, symbol
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 
@@ -113,6 +114,8 @@ class Meaning:
         return value
 
     def rate(self, value: Value) -> Value:
+        if self.context.timeless:
+            raise UnclearError("a rate where nothing is said of time")
         if isinstance(value, MatrixBase):
             return value.applyfunc(lambda x: rate(x, self.moving))
         return rate(value, self.moving)
@@ -177,7 +180,8 @@ class Meaning:
         return symbol(Jet(letter, 0, place))
 
     def _defined(self, letter: Letter, definition: Definition) -> Value:
-        key = letter, self.sign, self.held, tuple(self.bound.items())
+        componentwise = self.context.componentwise
+        key = letter, self.sign, self.held, tuple(self.bound.items()), componentwise
         known = self.memory.values.get(key)
         definitions = self.context.definitions
         if known is None or any(definitions.get(x) is not d for x, d in known[2].items()):
@@ -201,11 +205,20 @@ class Meaning:
         return function(*(self.scalar(x) for x in places))
 
     def _component(self, letter: Letter) -> Expr | None:
-        """v_x or ω_1 where the vector of that letter has a value in other letters."""
+        """v_x or ω_1 where the vector of that letter has a value in other letters.
+
+        Along an axis that is given, it is so for ω_1′ whatever the vector stands for.
+        """
+        along = component_of(letter)
+        if "′" in letter.sub and {along.left, along.right} <= self.context.definitions.keys():
+            return self.scalar(along)
         for names in ("xyz", "123"):
             if len(letter.sub) == 1 and letter.sub in names and not letter.bold:
                 vector = Letter(letter.base, "", letter.mark, True)
                 definition = self.definition(vector)
+                named = self.context.componentwise and vector in self.context.habits.vectors
+                if definition is None and named:
+                    return self.letter(vector)[names.index(letter.sub)]
                 if definition is None or isinstance(definition.node, Meant):
                     continue
                 if letter not in n.letters(definition.node):
@@ -281,9 +294,24 @@ class Meaning:
         value, meaning = self._to_differentiate(of, node.by)
         for x in node.by:
             place = meaning.scalar(x)
-            in_time = place == TIME and not node.partial
-            value = self.rate(value) if in_time else _by(value, place)
+            if not node.partial and self._is_motion(of, value, place):
+                value = self.rate(value) / self.rate(place)
+            else:
+                value = _by(value, place)
         return self._released(value, meaning.held - self.held)
+
+    def _is_motion(self, of: Node, value: Value, place: Expr) -> bool:
+        """Whether a derivative is taken along the motion: d/dt, or dv/dx = v̇/ẋ."""
+        if place == TIME:
+            return True
+        jet = jet_of(place) if place.is_Symbol else None
+        if jet is None or jet.order or jet.letter not in self.moving:
+            return False
+        if isinstance(of, Letter):
+            # That of a function, as dV/dx or dL/dθ, is taken with its rates held.
+            found = jet_of(value) if getattr(value, "is_Symbol", False) else None
+            return found is not None and (found.order > 0 or found.letter in self.moving)
+        return any(isinstance(x, n.Rate) for x in n.walked(of))
 
     def _to_differentiate(self, of: Node, by: Sequence[Node]) -> tuple[Value, Meaning]:
         """A value in the letters by which it is differentiated, and with what is held for that."""
@@ -297,7 +325,7 @@ class Meaning:
         if isinstance(of, Letter):
             meaning = meaning._held_for(of)
         value = meaning.value(of)
-        if isinstance(of, Letter) and value == self.free(of):
+        if isinstance(of, Letter) and value == self.free(of) and not {of, *by} <= self.moving:
             raise UnclearError(f"nothing says what {of.base} is")
         return value, meaning
 
@@ -311,16 +339,18 @@ class Meaning:
         return self.with_(held=self.held | momenta) if momenta else self
 
     def _has_rates(self, node: Node) -> bool:
-        return any(isinstance(x, n.Rate) for x in n.walked(node)) or any(
-            self.context.definitions[x].node is not node
-            and self._has_rates(self.context.definitions[x].node)
-            for x in n.letters(node)
-            if x in self.context.definitions and not self._is_momentum(x) and self.depth < 8
+        if any(isinstance(x, n.Rate) for x in n.walked(node)):
+            return True
+        definitions = {x: self.definition(x) for x in n.letters(node)}
+        return any(
+            definition.node is not node and self._has_rates(definition.node)
+            for x, definition in definitions.items()
+            if definition is not None and not self._is_momentum(x) and self.depth < 8
         )
 
     def _is_momentum(self, letter: Letter) -> bool:
         """Whether it stands for something that has rates, and is one number of the state itself."""
-        definition = self.context.definitions.get(letter)
+        definition = self.definition(letter)
         if definition is None or letter.base not in ("p", "P", "π", "J", "ℓ", "l", "D", "S"):
             return False
         if isinstance(definition.node, Meant):
@@ -398,15 +428,31 @@ def is_vector(letter: Letter) -> bool:
     return letter.bold or letter.mark == "hat"
 
 
+def component_of(letter: Letter) -> n.Dot:
+    """What a letter is by its name, if it is a component: the vector times a unit vector."""
+    axis = Letter("e", letter.sub.rstrip("′"), "′" * letter.sub.count("′"), True)
+    return n.Dot(replace(letter, sub="", bold=True), axis)
+
+
+def is_component(letter: Letter, vector: Letter) -> bool:
+    """Whether it is the name of one number of a vector: ω₁, v_x."""
+    named = len(letter.sub) == 1 and letter.sub in "xyz123" and not letter.bold
+    return named and vector == Letter(letter.base, "", letter.mark, True)
+
+
 def function_name(letter: Letter) -> str:
     """The name of the function of SymPy that an unknown function is."""
     return "\x1f".join((letter.base, letter.sub, letter.mark))
 
 
+@lru_cache(maxsize=20_000)
+def _unknowns(expression: Expr) -> frozenset[Expr]:
+    return frozenset(expression.atoms(AppliedUndef, sympy.Derivative, sympy.Subs))
+
+
 def plain(expressions: Sequence[Expr]) -> list[Expr]:
     """Unknown functions and their slopes as numbers of their own, alike in all expressions."""
-    kinds = (AppliedUndef, sympy.Derivative, sympy.Subs)
-    atoms = set().union(*(x.atoms(*kinds) for x in expressions)) if expressions else set()
+    atoms = frozenset().union(*map(_unknowns, expressions))
     if not atoms:
         return list(expressions)
     order = sorted(atoms, key=lambda x: (-x.count_ops(), sympy.default_sort_key(x)))
@@ -515,21 +561,35 @@ def _quotient(meaning: Meaning, node: n.Quotient) -> Value:
 
 
 def _matrix(meaning: Meaning, node: n.Matrix) -> Value:
+    if node.bracket == "|" and len(node.rows) > 1:
+        return _determinant(meaning, node)
     made = ImmutableMatrix([[meaning.scalar(x) for x in row] for row in node.rows])
-    if made.shape == (3, 1):
-        return _in_space(meaning, made)
-    return made.det() if node.bracket == "|" else made
+    return _in_space(meaning, made)
+
+
+def _determinant(meaning: Meaning, node: n.Matrix) -> Value:
+    """Along the first row, in which vectors may stand, as in a cross product."""
+    first, *rows = node.rows
+    if any(len(row) != len(node.rows) for row in node.rows):
+        raise UnclearError("a determinant that is not square")
+    below = ImmutableMatrix([[meaning.scalar(x) for x in row] for row in rows])
+    terms = []
+    for k, each in enumerate(first):
+        rest = below.extract([*range(len(rows))], [j for j in range(len(first)) if j != k])
+        terms.append((-1) ** k * rest.det() * meaning.value(each))
+    return _added(terms)
 
 
 def _column(meaning: Meaning, node: n.Tuple) -> Value:
-    made = ImmutableMatrix([meaning.scalar(x) for x in node.entries])
-    return _in_space(meaning, made) if made.shape == (3, 1) else made
+    return _in_space(meaning, ImmutableMatrix([meaning.scalar(x) for x in node.entries]))
 
 
-def _in_space(meaning: Meaning, column: MatrixBase) -> Value:
-    """Components in space of what is written in the axes that are meant."""
+def _in_space(meaning: Meaning, made: MatrixBase) -> Value:
+    """Components in space of a vector, or a tensor, that is written in the axes that are meant."""
     basis = meaning.context.basis
-    return column if basis is None else ImmutableMatrix(basis * column)
+    if basis is None or made.shape not in ((3, 1), (3, 3)):
+        return made
+    return ImmutableMatrix(basis * made if made.shape == (3, 1) else basis * made * basis.T)
 
 
 def _transposed(meaning: Meaning, node: n.Transposed) -> Value:
@@ -565,6 +625,8 @@ def _at(meaning: Meaning, node: n.At) -> Value:
         raise UnclearError("a value at a place that is no equation")
     if node.letter == Letter("t"):
         return meaning._at_time(value, node.value)
+    if node.letter in meaning.moving and any(jet.order for jet in jets(value).values()):
+        raise UnclearError(f"a rate where {node.letter.base} has a value")
     return _put(value, meaning.scalar(node.letter), meaning.scalar(node.value))
 
 
@@ -584,8 +646,30 @@ def _product(meaning: Meaning, node: n.Product) -> Value:
     return _multiplied([meaning.value(x) for x in node.factors])
 
 
+def _grouped(meaning: Meaning, node: n.Group) -> Value:
+    if node.bracket == "[" and isinstance(node.of, Letter):
+        raise UnclearError("a dimension, a letter in square brackets, is not judged")
+    return meaning.value(node.of)
+
+
 def _sum(meaning: Meaning, node: n.Sum) -> Value:
-    return _added([meaning.value(x) for x in node.terms])
+    values = [meaning.value(x) for x in node.terms]
+    square = next((x for x in values if isinstance(x, MatrixBase) and x.rows == x.cols > 1), None)
+    if square is not None:
+        values = [_unit_times(_without_unit(meaning, x), square) for x in values]
+    return _added(values)
+
+
+def _without_unit(meaning: Meaning, value: Value) -> Value:
+    """A number without the letter of the unit matrix, where nothing else is said of that."""
+    if isinstance(value, MatrixBase):
+        return value
+    free = (x for x in (Letter("E"), Letter("I"), Letter("𝟙")) if meaning.definition(x) is None)
+    for x in (symbol(Jet(letter)) for letter in free):
+        slope = value.diff(x)
+        if slope != 0 and sympy.expand(slope * x - value) == 0:
+            return slope
+    return value
 
 
 def _sign(meaning: Meaning, node: n.PlusMinus) -> Value:
@@ -605,7 +689,7 @@ _HANDLERS: dict[type[Node], Callable[[Meaning, Any], Value]] = {
     n.Root: lambda m, node: m.scalar(node.of) ** Rational(1, node.degree),
     n.Apply: _apply,
     n.Call: Meaning.call,
-    n.Group: lambda m, node: m.value(node.of),
+    n.Group: _grouped,
     n.Braced: lambda m, node: m.value(node.of),
     n.Absolute: lambda m, node: _length(m.value(node.of)),
     n.Rate: _rate_of,
@@ -737,7 +821,7 @@ def _places(spans: Sequence[range]) -> list[tuple[int, ...]]:
 
 def _size(value: Value) -> int:
     entries = list(value) if isinstance(value, MatrixBase) else [value]
-    return sum(x.count_ops() for x in entries)
+    return sum(map(operations, entries))
 
 
 def _added(values: Sequence[Value]) -> Value:

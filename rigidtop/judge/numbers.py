@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from decimal import Decimal
+from itertools import pairwise
 
 import sympy
 from sympy import Expr
@@ -33,14 +34,25 @@ def agree(left: Expr, right: Expr, digits: float) -> bool | None:
 def share(node: Node, nearly: bool = False) -> float:
     """By which share a number may be off that is written with so many digits; 0 if it is exact.
 
-    Where it is said to be `nearly` so, whole numbers are rounded too.
+    Where it is said to be `nearly` so, whole numbers are rounded too, unless letters stand by them.
     """
-    powers = {part for x in n.walked(node) if isinstance(x, n.Power) for part in n.parts(x)}
+    nearly = nearly and not n.letters(node)
+    powers = {
+        part for x in n.walked(node) if isinstance(x, n.Power) for part in n.walked(x.exponent)
+    }
+    # 5 · 10⁹ is rounded, as 5 is not.
+    mantissas = {
+        first
+        for x in n.walked(node)
+        if isinstance(x, (n.Product, n.Cross, n.Dot))
+        for first, second in pairwise(n.parts(x))
+        if isinstance(second, n.Power) and second.base == n.Number("10")
+    }
     shares = [
         float(Decimal(1).scaleb(_exponent(x.text)) / abs(Decimal(x.text)))
         for x in n.walked(node)
         if isinstance(x, n.Number) and x.value
-        if "." in x.text or (x not in powers and (nearly or len(x.text) > 2))
+        if "." in x.text or x in mantissas or (x not in powers and (nearly or len(x.text) > 2))
     ]
     return max(shares, default=0.0)
 

@@ -5,9 +5,11 @@ Where x̂ is scaled down step by step, the share of the sides by which they diff
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
 from rigidtop.judge.jets import jet_of
@@ -25,90 +27,154 @@ LITTLE = 2e-3
 """At the last step the sides differ by no more than this share."""
 
 
+_LAST = (STEPS - 2, STEPS - 1)
+UNLIKE = 0.02
+"""Sides that differ by more than this share at every step do not become alike."""
+
+
+@dataclass(frozen=True)
+class Scaling:
+    """Letters that are scaled together, with what they are then, in words."""
+
+    words: str
+    letters: tuple[Symbol, ...]
+    factor: float
+
+
 def nearly(
     left: Expr,
     right: Expr,
     equations: Sequence[Expr],
     worlds: Worlds,
-    moving: frozenset[Letter],
-    which: str = "",
+    tried: Iterable[Scaling],
 ) -> str:
-    """For what both sides become alike, in words; nothing where for none that is looked at.
-
-    `which` is "small" or "large" where the text says which of the two it is.
-    """
-    for words, letters, factor in _scalings(worlds, equations, moving, which):
-        if _tends(left, right, equations, worlds, letters, factor):
-            return words
+    """For what both sides become alike, in words; nothing where for none that is tried."""
+    for scaling in tried:
+        if _tends(left, right, equations, worlds, scaling):
+            return scaling.words
     return ""
 
 
-def _scalings(
-    worlds: Worlds, equations: Sequence[Expr], moving: frozenset[Letter], which: str
-) -> list[tuple[str, list[Symbol], float]]:
-    made: list[tuple[str, list[Symbol], float]] = []
+def differ(
+    left: Expr, right: Expr, equations: Sequence[Expr], worlds: Worlds, scaling: Scaling
+) -> bool:
+    """Whether both sides have values at every step and in no world become alike."""
+    gaps = [_gap(left, right, equations, worlds, scaling, k, True) for k in _LAST]
+    return all(
+        gap is not None and bool(np.isfinite(gap).all() and (gap > UNLIKE).all()) for gap in gaps
+    )
+
+
+def small_together(letters: frozenset[Letter], worlds: Worlds) -> Scaling | None:
+    """What is said to be small together, with its rates."""
+    small = [x for x in worlds.letters if (jet := jet_of(x)) is not None and jet.letter in letters]
+    words = "small " + " and ".join(sorted(map(plain, letters)))
+    return Scaling(words, tuple(small), SMALL) if small else None
+
+
+def scalings(
+    worlds: Worlds, equations: Sequence[Expr], moving: frozenset[Letter], which: str = ""
+) -> list[Scaling]:
+    """What is looked at: a small motion, and each letter alone.
+
+    `which` is "small" or "large" where the text says which of the two it is.
+    """
+    made: list[Scaling] = []
     numbers = [(x, jet) for x in worlds.letters if (jet := jet_of(x)) is not None]
     motion = [x for x, jet in numbers if jet.order or jet.letter in moving]
     bound = set().union(*(e.free_symbols for e in equations)) if equations else set()
     if motion and which != "large":
-        made.append(("a small motion", motion, SMALL))
+        made.append(Scaling("a small motion", tuple(motion), SMALL))
     for x, jet in numbers:
         if x in motion or (x in bound and len(equations) > 3):
             continue
         name = plain(jet.letter)
-        made += [] if which == "large" else [(f"small {name}", [x], SMALL)]
-        made += [] if which == "small" else [(f"large {name}", [x], LARGE)]
+        made += [] if which == "large" else [Scaling(f"small {name}", (x,), SMALL)]
+        made += [] if which == "small" else [Scaling(f"large {name}", (x,), LARGE)]
     for x, jet in numbers:
         if x in motion and which != "large":
-            made.append((f"small {plain(jet.letter)}", [x], SMALL))
+            made.append(Scaling(f"small {plain(jet.letter)}", (x,), SMALL))
     return made
 
 
 def _tends(
+    left: Expr, right: Expr, equations: Sequence[Expr], worlds: Worlds, scaling: Scaling
+) -> bool:
+    gaps = []
+    for k in (STEPS - 1, 0):  # the last step decides most often
+        gap = _gap(left, right, equations, worlds, scaling, k)
+        if gap is None or not (np.isfinite(gap).all() and (k == 0 or (gap < LITTLE).all())):
+            return False
+        gaps.append(gap)
+    last, first = gaps
+    return bool((last <= 0.3 * np.maximum(first, 1e-9)).all())
+
+
+def _gap(
     left: Expr,
     right: Expr,
     equations: Sequence[Expr],
     worlds: Worlds,
-    letters: Sequence[Symbol],
-    factor: float,
-) -> bool:
-    scaled = [worlds.letters.index(x) for x in letters]
-    gaps = []
-    for k in (STEPS - 1, 0):  # the last step decides most often
-        points = worlds.points.copy()
-        points[scaled] *= factor**k
-        settled = _settled(equations, worlds, points)
-        if settled is None:
-            return False
-        try:
-            at = Program(worlds.letters, settled).values([left, right, left - right])
-        except UnknownFunctionError:
-            return False
-        with np.errstate(all="ignore"):
-            size = np.maximum(np.abs(at.values[0]), np.abs(at.values[1]))
-            size = at.sizes[2] if left == 0 or right == 0 else size
-            gaps.append(np.abs(at.values[2]) / size)
-        if not (np.isfinite(gaps[0]).all() and (gaps[0] < LITTLE).all()):
-            return False
-    last, first = gaps
-    return bool(np.isfinite(first).all() and (last <= 0.3 * np.maximum(first, 1e-9)).all())
+    scaling: Scaling,
+    step: int,
+    strictly: bool = False,
+) -> NDArray[np.float64] | None:
+    """The share by which both sides differ after some steps; None where it has no value.
+
+    What is said to vanish has to be small beside what is scaled.
+    """
+    scaled = [worlds.letters.index(x) for x in scaling.letters]
+    points = worlds.points.copy()
+    points[scaled] *= scaling.factor**step
+    settled, holds = _settled(equations, worlds, points, scaled)
+    if settled is None or (strictly and not holds):
+        return None
+    try:
+        at = Program(worlds.letters, settled).values([left, right, left - right])
+    except UnknownFunctionError:
+        return None
+    with np.errstate(all="ignore"):
+        size = np.maximum(np.abs(at.values[0]), np.abs(at.values[1]))
+        if left == 0 or right == 0:
+            size = at.sizes[2]
+            if len(scaling.letters) > 1 and scaling.factor < 1:
+                size = np.abs(points[scaled]).max(axis=0)
+        return np.asarray(np.abs(at.values[2]) / size, float)
 
 
-def _settled(equations: Sequence[Expr], worlds: Worlds, points: Array) -> Array | None:
-    """With the highest rates that the equations give at other numbers."""
-    free = list(highest(equations))
-    if not equations or not free:
-        return points
-    places = [worlds.letters.index(x) for x in free]
+def _settled(
+    equations: Sequence[Expr], worlds: Worlds, points: Array, scaled: Sequence[int]
+) -> tuple[Array | None, bool]:
+    """With the highest rates that the equations give at other numbers, and whether these hold.
+
+    Where they do not, other rates move too, but for those that are scaled.
+    """
+    top = [worlds.letters.index(x) for x in highest(equations)]
+    if not equations or not top:
+        return points, True
+    rates = [
+        k for k, x in enumerate(worlds.letters) if (jet := jet_of(x)) is not None and jet.order
+    ]
+    first, holds = _moved(equations, worlds, points, top)
+    if holds or first is None:
+        return first, holds
+    second, holds = _moved(equations, worlds, points, sorted({*top} | {*rates} - {*scaled}))
+    return (second, True) if holds else (first, False)
+
+
+def _moved(
+    equations: Sequence[Expr], worlds: Worlds, points: Array, places: Sequence[int]
+) -> tuple[Array | None, bool]:
     for _ in range(30):
         at = Program(worlds.letters, points, with_slopes=True).values(equations)
         if not np.isfinite(at.slopes).all():
-            return None
+            return None, False
         points = points.copy()
         largest = 0.0
         for k in range(points.shape[1]):
             slope = at.slopes[:, places, k]
-            scale = np.abs(slope).max(axis=1) + 1e-300
+            scale = np.abs(slope).max(axis=1)
+            scale = np.where(scale > 0, scale, np.inf)  # what no such rate can change stays
             move = np.linalg.lstsq(slope / scale[:, None], -at.values[:, k] / scale, rcond=1e-12)[0]
             points[places, k] += move
             largest = max(
@@ -116,4 +182,5 @@ def _settled(equations: Sequence[Expr], worlds: Worlds, points: Array) -> Array 
             )
         if largest < 1e-13:
             break
-    return points
+    at = Program(worlds.letters, points).values(equations)
+    return points, bool((np.abs(at.values) <= 1e-8 * (at.sizes + 1e-12)).all())

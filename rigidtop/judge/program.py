@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,9 @@ from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
 Array = NDArray[Any]
+
+Part = tuple[Array, NDArray[np.float64], Array | None]
+"""The value of a part at each point, the size of its terms, and its slopes; None for no slope."""
 
 _FUNCTIONS: dict[type, tuple[Callable[[Array], Array], Callable[[Array, Array], Array]]] = {
     sympy.sin: (np.sin, lambda x, y: np.cos(x)),
@@ -67,7 +71,7 @@ class Program:
     letters: Sequence[Symbol]
     points: Array
     with_slopes: bool = False
-    _known: dict[Expr, tuple[Array, NDArray[np.float64], Array]] = field(default_factory=dict)
+    _known: dict[Expr, Part] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         count, points = self.points.shape
@@ -79,43 +83,45 @@ class Program:
         with np.errstate(all="ignore"):
             rows = [self._of(sympy.sympify(each)) for each in expressions]
         shape = (len(expressions), self.points.shape[1])
+        slopes = [self._zero if row[2] is None else row[2] for row in rows]
         return Values(
             np.array([row[0] for row in rows], complex).reshape(shape),
             np.array([row[1] for row in rows], float).reshape(shape),
-            np.array([row[2] for row in rows], complex).reshape(
-                len(expressions), *self._zero.shape
-            ),
+            np.array(slopes, complex).reshape(len(expressions), *self._zero.shape),
         )
 
-    def _of(self, node: Expr) -> tuple[Array, NDArray[np.float64], Array]:
-        if node not in self._known:
-            self._known[node] = self._worked_out(node)
-        return self._known[node]
+    def _of(self, node: Expr) -> Part:
+        part = self._known.get(node)
+        if part is None:
+            part = self._known[node] = self._worked_out(node)
+        return part
 
-    def _worked_out(self, node: Expr) -> tuple[Array, NDArray[np.float64], Array]:
+    def _worked_out(self, node: Expr) -> Part:
         points = self.points.shape[1]
         if node.is_Symbol:
             k = self._at[node]
-            slope = self._zero.copy()
+            slope = None
             if self.with_slopes:
+                slope = self._zero.copy()
                 slope[k] = 1
             return self.points[k], np.abs(self.points[k]), slope
         if not node.args:
-            value = np.full(points, complex(node))
-            return value, np.abs(value), self._zero
+            value = np.full(points, _number(node))
+            return value, np.abs(value), None
         below = [self._of(arg) for arg in node.args]
         if node.is_Add:
-            value = sum((part[0] for part in below), np.zeros(points, complex))
-            size = sum((part[1] for part in below), np.zeros(points))
-            return value, size, sum((part[2] for part in below), self._zero)
+            value, size, slope = below[0]
+            for other, larger, steeper in below[1:]:
+                value, size, slope = value + other, size + larger, _sum(slope, steeper)
+            return value, size, slope
         if node.is_Mul:
             value, size, slope = below[0]
             for other, larger, steeper in below[1:]:
-                slope = slope * other + value * steeper
+                slope = _sum(_times(slope, other), _times(steeper, value))
                 value, size = value * other, size * larger
             return value, size, slope
         if node.is_Pow:
-            return self._power(*below)
+            return self._square(below[0]) if node.exp == 2 else self._power(*below)
         known = _FUNCTIONS.get(node.func)
         if known is None or len(below) != 1:
             raise UnknownFunctionError(f"{node.func} has no numbers")
@@ -123,19 +129,34 @@ class Program:
         at, inner, slope = below[0]
         value = function(at)
         steep = derivative(at, value)
-        return value, np.abs(value) + np.abs(steep) * inner * 1e-3, slope * steep
+        return value, np.abs(value) + np.abs(steep) * inner * 1e-3, _times(slope, steep)
 
-    def _power(
-        self,
-        base: tuple[Array, NDArray[np.float64], Array],
-        exponent: tuple[Array, NDArray[np.float64], Array],
-    ) -> tuple[Array, NDArray[np.float64], Array]:
+    def _square(self, base: Part) -> Part:
+        x, size, slope = base
+        return x * x, size * size, _times(slope, 2 * x)
+
+    def _power(self, base: Part, exponent: Part) -> Part:
         x, size, slope = base
         n, _, steep = exponent
         value = x**n
-        grown = slope * n * x ** (n - 1)
-        if steep.any():
-            grown = grown + steep * value * np.log(x)
+        grown = None if slope is None else slope * (n * x ** (n - 1))
+        if steep is not None and steep.any():
+            grown = _sum(grown, steep * (value * np.log(x)))
         # The size of a power is that of a product; that of a root or a reciprocal is its own.
         whole = np.all(n.imag == 0) and np.all(n.real >= 1)
         return value, np.where(whole, size**n.real, np.abs(value)), grown
+
+
+@lru_cache(maxsize=20_000)
+def _number(node: Expr) -> complex:
+    return complex(node)
+
+
+def _sum(one: Array | None, other: Array | None) -> Array | None:
+    if one is None:
+        return other
+    return one if other is None else one + other
+
+
+def _times(slope: Array | None, factor: Array) -> Array | None:
+    return None if slope is None else slope * factor

@@ -111,6 +111,13 @@ def _single(
                 if len(terms) > 2:
                     left = n.Sum((*terms[:k], *terms[k + 1 :]))
                     yield left, f"no {plain(_bare(term))}", 5.0
+        case n.Product(factors) if len(factors) > 1:
+            for k, factor in enumerate(factors):
+                if isinstance(factor, (Letter, n.Apply, Number)):
+                    rest = (*factors[:k], *factors[k + 1 :])
+                    without = n.Product(rest) if len(rest) > 1 else rest[0]
+                    rank = 0.95 if isinstance(factor, Number) else 2.08
+                    yield without, f"no factor {plain(factor)}", rank
         case n.Number(text):
             value = node.value
             for other in (2 * value, value / 2, value + 1, value - 1, 3 * value, value / 3):
@@ -119,7 +126,8 @@ def _single(
         case n.Apply(name, of):
             for other_name in _FUNCTIONS.get(name, ()):
                 yield n.Apply(other_name, of), f"{other_name} in place of {name}", 2.0
-            yield n.Power(node, Number("2")), f"{plain(node)} squared", 2.5
+            squared = n.Power(node, Number("2"))
+            yield squared, f"{plain(squared)} in place of {plain(node)}", 2.35
             if isinstance(of, Letter):
                 twice = n.Apply(name, n.Product((Number("2"), of)))
                 yield twice, f"{plain(twice)} in place of {plain(node)}", 3.0
@@ -128,10 +136,15 @@ def _single(
                 new = base if other == 1 else n.Power(base, _number(other))
                 if other > 0:
                     yield new, f"{plain(new)} in place of {plain(node)}", 2.0
+            if exponent.value == 2 and isinstance(base, Letter):
+                for letter in sorted(names - {base}, key=str):
+                    if letter.base == base.base and letter.bold == base.bold:
+                        mixed = n.Product((base, letter))
+                        yield mixed, f"{plain(mixed)} in place of {plain(node)}", 2.4
             if exponent.value == 2:
                 yield n.Power(base, Number("4")), f"the fourth power of {plain(base)}", 3.0
         case Letter():
-            yield n.Power(node, Number("2")), f"{plain(node)} squared", 2.2
+            yield n.Power(node, Number("2")), f"{plain(node)} squared", 2.05
             if node in moving:
                 yield n.Rate(node, 1, True), f"a dot on {plain(node)}", 2.8
             for other_letter in sorted(known | names, key=str):
@@ -150,6 +163,8 @@ def _single(
             yield n.Cross(right, left), "the factors of × exchanged", 1.0
         case n.Group(n.Sum()):
             yield n.Power(node, Number("2")), f"{plain(node)} squared", 3.0
+        case n.Transposed(of):
+            yield of, "no transpose", 1.0
         case n.Root(of, _):
             yield of, "no root", 3.0
         case n.Quotient(over, under):

@@ -12,6 +12,8 @@ from typing import Final
 
 from rigidtop.judge.context import Context, Habits
 from rigidtop.judge.judge import Judge, Situation
+from rigidtop.judge.laws import ENERGIES, LAGRANGIANS
+from rigidtop.judge.meaning import is_component
 from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
 from rigidtop.read.cues import Cue
 from rigidtop.read.declared import declared
@@ -22,6 +24,7 @@ from rigidtop.read.walk import places
 from rigidtop.terminal.limit import TooLong, within
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.plain import plain
 from rigidtop.tree.statement import Statement, Unread
 
 A_STATEMENT = 10.0
@@ -34,7 +37,8 @@ LATE = "the time for the file was over"
 class Row:
     """A statement of a text with the line in which it begins, and what became of it.
 
-    `number` is the one by which other outcomes rest on it.
+    `number` is the one by which other outcomes rest on it; `situation` is what the words around it
+    say, None where it was not read.
     """
 
     line: int
@@ -42,6 +46,7 @@ class Row:
     outcome: Outcome
     passage: Passage
     number: int
+    situation: Situation | None = None
 
     @property
     def display(self) -> bool:
@@ -59,6 +64,13 @@ def judged(source: str, macros: Macros | None = None, until: float = inf) -> tup
     `macros` are those of other files.  After a time of `time.process_time` the rest is undecided,
     and says so.
     """
+    return folded(source, macros, until)[0]
+
+
+def folded(
+    source: str, macros: Macros | None = None, until: float = inf
+) -> tuple[tuple[Row, ...], Context]:
+    """The same, with what is known behind the last statement."""
     read, place = read_text(source, macros, until)
     habits = habits_of([each for _, each in read if isinstance(each, Statement)])
     context, judge = Context(habits), Judge()
@@ -78,6 +90,10 @@ def judged(source: str, macros: Macros | None = None, until: float = inf) -> tup
             each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
         context = context.within(passage.scope, passage.sentence)
         opens = passage.scope != scope
+        each, time_of_it = at_one_time(each, habits.moving)
+        if time_of_it is not None:
+            moments[number] = moment = instant_at(time_of_it)
+            context = replace(context, instants={**context.instants, moment: time_of_it})
         at = situation(passage, number, moments[number], opens, names)
         at = replace(at, case=passage.start in cases)
         scope = passage.scope
@@ -86,21 +102,27 @@ def judged(source: str, macros: Macros | None = None, until: float = inf) -> tup
             rows.append(Row(line, each, Outcome(DEFINITION, "a moment"), passage, number))
             continue
         outcome, context = in_time(judge, each, at, context, until)
-        rows.append(Row(line, each, outcome, passage, number))
-    return tuple(rows)
+        rows.append(Row(line, each, outcome, passage, number, at))
+    return tuple(rows), context
 
 
 def in_time(
-    judge: Judge, statement: Statement, at: Situation, context: Context, until: float = inf
+    judge: Judge,
+    statement: Statement,
+    at: Situation,
+    context: Context,
+    until: float = inf,
+    seconds: float | None = None,
 ) -> tuple[Outcome, Context]:
     """What becomes of a statement, unless that takes too long or breaks."""
+    seconds = A_STATEMENT if seconds is None else seconds
     if time.process_time() > until:
         return Outcome(UNDECIDED, LATE), context
     try:
-        with within(A_STATEMENT):
+        with within(seconds):
             return judge.judged(statement, at, context)
     except TooLong:
-        why = f"judging it takes longer than {A_STATEMENT:g} s"
+        why = f"judging it takes longer than {seconds:g} s"
     except Exception as error:  # what a stranger wrote may break one statement, not the others
         why = f"rigidtop itself fails here, please report it ({type(error).__name__}: {error})"
     return Outcome(UNDECIDED, why), context
@@ -127,11 +149,23 @@ def read_text(
 
 def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -> Read:
     """What each formula states, read with the functions of the whole text."""
+    if any(_POINT.search(passage.text) for passage in text):
+        text = [replace(x, text=_THOUSANDS.sub(_closed_up, x.text)) for x in text]
     once = [each for passage in text for each in _read(passage, macros, frozenset(), until)]
     known = functions_of(once)
     read = [(passage, each) for passage in text for each in _read(passage, macros, known, until)]
     table = str.maketrans(_shapes(each for _, each in read))
     return [(passage, _folded(each, table)) for passage, each in read] if table else read
+
+
+_POINT = re.compile(r"\d\.\d")
+_THOUSANDS = re.compile(r"(?<![\d.])\d{1,3}(?:\{,\}\d{3})+(?!\d)")
+"""A comma between thousands, where a point stands before decimals."""
+
+
+def _closed_up(match: re.Match[str]) -> str:
+    """A number without commas, and as long as before."""
+    return match[0].replace("{,}", "").ljust(len(match[0]))
 
 
 def _read(
@@ -146,7 +180,9 @@ def _whole(passage: Passage) -> str:
     """The text of a formula; the word "const" behind its last sign is its last side."""
     if not passage.display and "\\" not in passage.text:
         return re.sub(r"_([A-Za-z]{2,})", r"_{\1}", passage.text)
-    if re.search(r"(=|\\equiv)\s*$", passage.text) and re.match(r"\W*[ck]onst", passage.behind):
+    if re.search(r"(=|≡|≈|\\equiv|\\approx)\s*$", passage.text) and re.match(
+        r"\W*[ck]onst", passage.behind
+    ):
         return passage.text + r"\mathrm{const}"
     return passage.text
 
@@ -259,6 +295,35 @@ def is_time(statement: Statement) -> bool:
     return statement.sides[0] == Letter("t") and statement.relations == ("=",)
 
 
+def instant_at(time_of_it: Node) -> str:
+    """The name of the instant at a time."""
+    return START if time_of_it == n.Number("0") else f"t = {plain(time_of_it)}"
+
+
+def at_one_time(statement: Statement, moving: frozenset[Letter]) -> tuple[Statement, Node | None]:
+    """A statement such as x(0) = a as one of x, with the time at which it is said of it."""
+    calls = {
+        node
+        for side in statement.sides
+        for node in n.walked(side)
+        if isinstance(node, n.Call) and _bare(node.function) in moving
+    }
+    times = {node.places for node in calls}
+    inside = Counter(x for node in calls for x in n.walked(node) if x in moving)
+    everywhere = {x for side in statement.sides for x in n.letters(side)} & moving
+    if len(times) != 1 or everywhere - {*inside}:
+        return statement, None
+    [places] = times
+    if len(places) != 1 or not isinstance(places[0], n.Number):
+        return statement, None
+
+    def now(node: Node) -> Node:
+        return node.function if isinstance(node, n.Call) and node in calls else node
+
+    sides = tuple(n.mapped(side, now) for side in statement.sides)
+    return replace(statement, sides=sides), places[0]
+
+
 def _is_start(statement: Statement) -> bool:
     """Whether a letter is given its own value with a 0 below: θ = θ₀."""
     if statement.relations != ("=",):
@@ -282,6 +347,31 @@ def functions_of(read: Iterable[Statement | Unread]) -> frozenset[Letter]:
     )
 
 
+def _velocities(read: Sequence[Statement]) -> set[Letter]:
+    """Letters that a product ties to a rate, as ω in R ω = ẋ, and of which an energy has a square.
+
+    Θ̇ = Ω alone is as often a constant rate.
+    """
+    tied: set[Letter] = set()
+    squared: set[Letter] = set()
+    for each in read:
+        for one, other in zip(each.sides, each.sides[1:], strict=False):
+            for side, rates in ((one, other), (other, one)):
+                if isinstance(side, n.Product) and any(
+                    isinstance(x, n.Rate) and x.order == 1 for x in n.walked(rates)
+                ):
+                    tied |= {x for x in side.factors if isinstance(x, Letter)}
+        if each.sides[0] in ENERGIES | {*LAGRANGIANS}:
+            squared |= {
+                x.base
+                for side in each.sides[1:]
+                for x in n.walked(side)
+                if isinstance(x, n.Power) and x.exponent == n.Number("2")
+                if isinstance(x.base, Letter) and x.base.base in "ωv"
+            }
+    return tied & squared
+
+
 def habits_of(read: Sequence[Statement]) -> Habits:
     """How a text uses its letters."""
     nodes = [node for each in read for side in each.sides for node in n.walked(side)]
@@ -290,6 +380,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     moving = {x for x in timed if isinstance(x, Letter)} | {
         of for x in nodes if isinstance(x, n.Rate) for of in [_bare(x.of)] if isinstance(of, Letter)
     }
+    moving |= _velocities(read)
     functions: dict[Letter, tuple[Node, ...]] = {}
     for call in calls:
         function = call.function.of if isinstance(call.function, n.Primed) else call.function
@@ -303,16 +394,18 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     primes_are_rates = twice and not dotted
     if primes_are_rates:
         moving |= primed - {*functions}
-    vectors = {x for x in nodes if isinstance(x, Letter) and x.bold and not x.sub}
+    indices = {x.base for node in nodes if isinstance(node, n.Total) for x in node.index}
+    bold = {x for x in nodes if isinstance(x, Letter) and x.bold}
+    vectors = {x for x in bold if not x.sub}
+    moving |= {x for x in vectors if any(is_component(each, x) for each in moving)}
     entries = {
         (each.sides[0], x) for each in read for side in each.sides[1:] for x in n.letters(side)
     }
     lengths = {
         x
-        for x in (replace(vector, bold=False) for vector in vectors)
+        for x in (replace(each, bold=False) for each in bold if each.sub in {"", *indices})
         if x not in moving and (replace(x, bold=True), x) not in entries and x.base not in "xyzt"
     }
-    indices = {x.base for node in nodes if isinstance(node, n.Total) for x in node.index}
     own = {
         side
         for each in read
@@ -326,6 +419,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         frozenset(own),
         primes_are_rates,
         frozenset(lengths),
+        frozenset(vectors),
     )
 
 

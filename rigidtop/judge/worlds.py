@@ -7,14 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 import sympy
 from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
-from rigidtop.judge.jets import Jet, jet_of
+from rigidtop.judge.jets import Jet, jet_of, symbols
 from rigidtop.judge.program import Array, Program, UnknownFunctionError
 from rigidtop.tree.nodes import Letter
 
@@ -27,6 +27,8 @@ _EXACT = 1e-12
 
 SMALLEST = 0.02
 """A parameter nearer to zero makes a place degenerate, and such a place is no world."""
+
+_ZERO = 1e-6
 
 CLOSE, _FLOOR = 1e-7, 1e-4
 """Sides that are equal in exact worlds differ by no more than this share of their terms, which are
@@ -82,6 +84,12 @@ class Worlds:
         gap = np.abs(found.values[2 * k :])
         return bool((gap <= CLOSE * (size + _FLOOR)).any(axis=0).all())
 
+    def vanish(self, expressions: Sequence[Expr]) -> bool:
+        """Whether all of them are zero in every world."""
+        if not self._knows(expressions) or not self.count:
+            return False
+        return bool((np.abs(self.program.values(expressions).values) < _ZERO).all())
+
     def signs(self, expressions: Sequence[Expr]) -> NDArray[np.float64] | None:
         """The sign of each expression in each world; None where they are no numbers."""
         if not self._knows(expressions) or not self.count:
@@ -91,7 +99,7 @@ class Worlds:
 
     def _knows(self, expressions: Sequence[Expr]) -> bool:
         known = {*self.letters}
-        return all(x.free_symbols <= known for x in expressions)
+        return all(symbols(x) <= known for x in expressions)
 
 
 def found(
@@ -99,13 +107,27 @@ def found(
     letters: Sequence[Symbol],
     may_vanish: Collection[Letter] = (),
     not_zero: Sequence[Expr] = (),
+    enough: int = WORLDS,
 ) -> Worlds:
     """Worlds in which `equations` vanish; those with real numbers, if there are any.
 
     No parameter is zero there but those that `may_vanish`, nor is anything that is `not_zero`.
+    More worlds are looked for until there are `enough`, from three times as many places.
     """
     if not equations or not letters:
         return Worlds(tuple(letters), _starts(letters, 0)[:, :WORLDS])
+    settled = tuple(equations), tuple(letters), frozenset(may_vanish), tuple(not_zero)
+    return _found(*settled, enough)
+
+
+@lru_cache(maxsize=512)
+def _found(
+    equations: tuple[Expr, ...],
+    letters: tuple[Symbol, ...],
+    may_vanish: frozenset[Letter],
+    not_zero: tuple[Expr, ...],
+    enough: int,
+) -> Worlds:
     weights = _weights(letters)
     parameters = np.array(
         [_is_parameter(x, letters) and not _is_of(x, may_vanish) for x in letters]
@@ -113,20 +135,26 @@ def found(
     every = np.zeros((len(letters), 0), complex)
     for seed in range(_SEEDS):
         try:
-            points, exact = _solved(equations, letters, _starts(letters, seed), weights)
+            starts = _starts(letters, seed)[:, : 3 * enough]
+            points, exact = _solved(equations, letters, starts, weights, enough)
             exact &= _is_not_zero(not_zero, letters, points)
         except UnknownFunctionError:
             break
         exact &= ~(np.abs(points[parameters]) < SMALLEST).any(axis=0)
         exact &= (np.abs(points) < 1e4).all(axis=0)
         every = np.hstack([every, points[:, exact]])
-        vanishing = (np.abs(every) < 1e-6).sum(axis=0)
+        if seed and not every.size:
+            break  # what does not hold together at so many places hardly does at others
+        zero = np.abs(every) < 1e-6
         real = np.abs(every.imag).max(axis=0, initial=0) < 1e-9
-        if (real & (vanishing == 0)).sum() >= WORLDS:
+        # What vanishes wherever it was tried has to vanish: no other place will tell more.
+        forced = zero[:, real].all(axis=1, keepdims=True)
+        if (real & (zero <= forced).all(axis=0)).sum() >= enough:
             break
     if not every.size:
         return Worlds(tuple(letters), every)
     # A place where something happens to vanish says less than one where nothing does.
+    vanishing = zero.sum(axis=0)
     chosen = vanishing == vanishing.min()
     chosen = chosen & real if (chosen & real).sum() >= 2 else chosen
     return Worlds(tuple(letters), every[:, chosen][:, :WORLDS])
@@ -148,37 +176,42 @@ def _solved(
     letters: Sequence[Symbol],
     points: Array,
     weights: NDArray[np.float64],
+    enough: int,
 ) -> tuple[Array, NDArray[np.bool_]]:
     points = points.copy()
     exact = np.zeros(points.shape[1], bool)
     lost = np.zeros(points.shape[1], bool)
-    largest = np.maximum(1, weights)
+    largest = np.maximum(1, weights)[:, None]
     for step in range(_STEPS):
         left = np.flatnonzero(~exact & ~lost)
-        if not len(left) or (step > 25 and exact.sum() >= WORLDS):
+        late = step > 6 * enough + 1
+        if not len(left) or exact.sum() >= (enough if late else 2 * enough):
             break
         at = Program(letters, points[:, left], with_slopes=True).values(equations)
-        for column, k in enumerate(left):
-            gap, size = at.values[:, column], at.sizes[:, column]
-            slope = at.slopes[:, :, column]
-            if not (np.isfinite(gap).all() and np.isfinite(slope).all()):
-                lost[k] = True
-                continue
-            if (np.abs(gap) <= _EXACT * (size + 1e-3)).all():
-                exact[k] = True
-                continue
-            scale = np.abs(slope).max(axis=1) + 1e-300
-            gap = np.where(np.abs(gap) <= _EXACT * size, 0, gap)
-            scale = np.where((gap == 0) & (scale <= 1e-9 * (size + 1e-3)), np.inf, scale)
-            move = weights * _least(slope / scale[:, None] * weights, -gap / scale)
-            farthest = np.abs(move / largest).max()
-            points[:, k] += move * min(1.0, 0.7 / farthest if farthest else 1.0)
-            lost[k] = bool((np.abs(points[:, k]) > 1e5).any())
+        finite = np.isfinite(at.values).all(axis=0) & np.isfinite(at.slopes).all(axis=(0, 1))
+        arrived = finite & (np.abs(at.values) <= _EXACT * (at.sizes + 1e-3)).all(axis=0)
+        lost[left[~finite]] = True
+        exact[left[arrived]] = True
+        on = finite & ~arrived
+        if not on.any():
+            continue
+        gap, size, slope = at.values[:, on], at.sizes[:, on], at.slopes[:, :, on]
+        scale = np.abs(slope).max(axis=1) + 1e-300
+        gap = np.where(np.abs(gap) <= _EXACT * size, 0, gap)
+        scale = np.where((gap == 0) & (scale <= 1e-9 * (size + 1e-3)), np.inf, scale)
+        matrix = np.moveaxis(slope / scale[:, None] * weights[:, None], -1, 0)
+        move = weights[:, None] * _least(matrix, (-gap / scale).T).T
+        farthest = np.abs(move / largest).max(axis=0)
+        points[:, left[on]] += move * np.minimum(1, 0.7 / np.where(farthest > 0, farthest, 0.7))
+        lost[left[on]] = (np.abs(points[:, left[on]]) > 1e5).any(axis=0)
     return points, exact
 
 
-def _least(matrix: Array, right: Array) -> Array:
-    made: Array = np.linalg.lstsq(matrix, right, rcond=1e-9)[0]
+def _least(matrices: Array, right: Array) -> Array:
+    """The smallest solutions of systems of linear equations, each as nearly as it has one."""
+    if not matrices.imag.any() and not right.imag.any():
+        matrices, right = matrices.real, right.real
+    made: Array = (np.linalg.pinv(matrices, rcond=1e-9) @ right[..., None])[..., 0]
     return made
 
 
@@ -211,9 +244,9 @@ def _weight(x: Symbol, letters: Sequence[Symbol]) -> float:
 
 
 def _is_parameter(x: Symbol, letters: Sequence[Symbol]) -> bool:
-    """Whether it is a letter of which no rate is asked."""
+    """Whether it is a letter of which no rate is asked, and not what one is at an instant."""
     jet = jet_of(x)
-    if jet is None or jet.order or is_component(jet):
+    if jet is None or jet.order or jet.instant or is_component(jet):
         return False
     return not any(
         other is not None and other.letter == jet.letter and other.order
@@ -249,5 +282,5 @@ def rank(equations: Sequence[Expr], worlds: Worlds, by: Sequence[Symbol]) -> int
 
 def symbols_of(expressions: Sequence[Expr]) -> tuple[Symbol, ...]:
     """The letters of expressions, always in the same order."""
-    every: set[Symbol] = set().union(*(sympy.sympify(x).free_symbols for x in expressions))
+    every: set[Symbol] = set().union(*(symbols(sympy.sympify(x)) for x in expressions))
     return tuple(sorted(every, key=str))

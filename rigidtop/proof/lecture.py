@@ -7,7 +7,7 @@ Lines cite lines above them only, so that every chain ends in laws and definitio
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -115,6 +115,8 @@ class Lecture:
     texts: tuple[Text, ...] = ()
     main: int | None = None
     """So many texts are the lecture's; those behind are exercises, each by itself."""
+    refuted: Callable[[Lecture, Judged], str] | None = None
+    """Why a line is false at which a move arrives, or nothing: a second opinion."""
 
     @cached_property
     def lines(self) -> dict[str, Line]:
@@ -244,7 +246,11 @@ class Lecture:
     def _judged(self, line: Line, above: Iterable[Known]) -> Judged:
         """What becomes of a line; where the engine itself breaks, it is a gap that says so."""
         try:
-            return judge_line(line, self.letters_at(line.id), above)
+            judged = judge_line(line, self.letters_at(line.id), above)
+            if judged.follows and self.refuted and (why := self.refuted(self, judged)):
+                bare = Known(line.id, line.equations, line.scope, called=line.called)
+                return Judged(line, bare, RefusedError("{}", why))
+            return judged
         except Exception as error:
             broken = f"rigidtop breaks here, please report it: {type(error).__name__}: {error}"
             bare = Known(line.id, line.equations, line.scope, called=line.called)

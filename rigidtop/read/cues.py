@@ -53,6 +53,14 @@ _FIXED = (
     r"(?:constant|const\b|conserved|fixed|unchanged|the same|konstant|erhalten|fest|unverändert"
     r"|constante?s?|conservée?s?)"
 )
+_QUANTITY = (
+    r"(?:[\w-]+ ){0,3}(?:(?:kinetic |potential )?energ(?:y|ies)|moment(?:a|um|s)?|veloci\w+|speed"
+    r"|accelerations?|forces?|torques?|frequenc\w+|periods?|angles?|rates?|times?|Lagrangian"
+    r"|Hamiltonian|action|tensor|matri\w+|equations?|components?|coordinates?|potential|amplitudes?"
+    r"|work|power|distance|positions?|ratio|first|second|third|last|next|rest|sake|same|purposes?"
+    r"|solutions?|derivatives?|constants?|tension|mass|density|radius|length|height|sum|axes|axis)\b"
+)
+"""Words for what a letter stands for, not for the body that has it."""
 _PLACE = (
     r"(?:start|beginning|top|bottom|end|edge|(?:turning|lowest|highest|foremost|nearest) point"
     r"|point (?:next|nearest|closest|furthest|farthest)[^,;:§]{0,30}|(?:same |first |last )?moment"
@@ -86,7 +94,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"\bat the (?:time|moment|instant) §[^§]*",
         r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
         r"\b(?:initially|at first|at rest|started from rest)\b[^§]*",
-        r"\b(?:am (?:Anfang|Ende|Boden)|im (?:Umkehrpunkt|Scheitel|tiefsten Punkt|höchsten Punkt"
+        r"\b(?:am (?:Anfang|Ende|Boden)|[ai]m (?:Umkehrpunkt|Scheitel|tiefsten Punkt|höchsten Punkt"
         r"|Moment)|oben|unten|zur Zeit|zum Zeitpunkt|anfangs|zu Beginn)\b[^§]*",
         r"\b(?:à l'instant|au (?:début|départ|sommet|point le plus (?:haut|bas))|initialement"
         r"|au moment où)\b[^§]*",
@@ -127,7 +135,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"|,? dass| que)?",
         r"\b(?:show|prove|verify|is it true|why is|zeigen? (?:Sie|wir)?|beweisen?(?: Sie)?"
         r"|montre[rz]"
-        r"|démontre[rz]|est-ce)(?: that|,? dass| que)?[^§.]{0,40}",
+        r"|démontre[rz]|est-ce)(?: that|,? dass| que)?[^.]{0,60}",
     ),
     Cue.GIVEN: (
         r"\b(?:according to|from the tables?|(?:Newton|Hooke|Kepler|Coulomb)['’]?s? (?:\w+ )?law"
@@ -206,6 +214,7 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"|each|every|any|both|our|en|trouve|obtient|pose|note|voit)\b| an?[ ,]*\Z)(?: (?!the\b"
         r"|at\b)[\w'-]+){1,5}"
         r"(?:, [^,;:.(§]{1,24})?",
+        rf"{_START}for the(?! {_QUANTITY})(?: (?!the\b|at\b)[\w'-]+){{1,5}}",
         rf"{_START}(?:for|für|pour)",
         rf"{_START}(?:without|ohne|sans) [^,;:.§]{{1,30}},?",
         rf"{_START}on the (?!other|one)[\w -]{{1,20}},",
@@ -246,6 +255,8 @@ _WITHIN = {cue: re.compile("|".join(patterns), re.I) for cue, patterns in WITHIN
 _BEHIND = {cue: re.compile("|".join(patterns), re.I) for cue, patterns in BEHIND.items()}
 _TITLED = re.compile(rf"(?:{'|'.join(TITLED)})\Z", re.I)
 _WHERE = re.compile(r"\bwhere\Z", re.I)
+_SUPPOSED_BEHIND = re.compile(r"(?:at|if|when|bei|wenn|falls|si|lorsque)", re.I)
+"""All that stands between a formula and the one that says where it holds."""
 
 LONGEST = 200
 """Of the words in front of a formula no more are looked at, and no more behind it."""
@@ -259,6 +270,8 @@ def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
     heard |= {cue for cue, pattern in _WITHIN.items() if pattern.search(before)}
     heard |= {cue for cue, pattern in _BEHIND.items() if pattern.match(behind)}
     if not display:
+        if _SUPPOSED_BEHIND.fullmatch(behind):
+            heard |= {Cue.CASE, Cue.MOMENT}
         heard |= {cue for cue, pattern in _INLINE.items() if pattern.search(before)}
         titled = _TITLED.match(before) or ("¶" in behind and Cue.DERIVED not in heard)
         if titled:

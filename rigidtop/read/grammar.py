@@ -684,6 +684,7 @@ class Grammar:
             raise self.missing("what a derivative acts on")
         alone = self.peek().kind == "open" or self.peek().text in FRACTIONS
         factors = [self.factor([])]
+        alone = alone and bool(letters(factors[0]))  # nobody differentiates a number
         while not alone and self.starts():
             factors.append(self.factor(factors))
         return ungrouped(product_of(factors))
@@ -700,6 +701,10 @@ class Grammar:
         of: Node | None = None
         if not self.is_sign("/") and self.is_named() and (close or loose or sign == "∂"):
             of = self.differential_of()
+        elif self.peek().kind == "group" and first.kind != "letter":
+            inner = self.inner(self.peek().group).whole()
+            of = inner if isinstance(inner, (Letter, Rate)) else None
+            self.at += of is not None
         elif self.peek().kind == "open" and close:
             of = ungrouped(self.bracket()) if self.at in self.partners else None
         if self.is_sign("/") and is_operator(self.peek(1), sign):

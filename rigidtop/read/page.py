@@ -333,7 +333,7 @@ def read_exercises(
     """A lecture with pages of exercises behind it: they may cite it, and not one another."""
     above = [known for text in lecture.texts for known in _known(text)]
     texts = [read_page(source, f"{name}.md", name, notation, above) for name, source in sources]
-    return Lecture(lecture.letters, (*lecture.texts, *texts), len(lecture.texts))
+    return replace(lecture, texts=(*lecture.texts, *texts), main=len(lecture.texts))
 
 
 def read_beside(file: str, source: str, lecture: Lecture, notation: Notation) -> Lecture:
@@ -345,7 +345,7 @@ def read_beside(file: str, source: str, lecture: Lecture, notation: Notation) ->
     before = tuple(takewhile(lambda text: text.name != name, lecture.texts))
     above = [known for text in before for known in _known(text)]
     page = read_page(source, file, name, notation, above)
-    return Lecture(lecture.letters, (*before, page), len(before))
+    return replace(lecture, texts=(*before, page), main=len(before))
 
 
 def _known(text: Text) -> list[Known]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from rigidtop.judge.page import outcome
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.derivation import Judged
 from rigidtop.proof.lecture import Lecture, Text
@@ -75,11 +76,18 @@ def _verdict(judged: Judged) -> str:
     return "definition" if move is None or move.verb == "call" else "follows"
 
 
+def _nothing(verdict: str, note: str) -> Record:
+    """What is said where there is no line."""
+    return {"id": "", "verdict": verdict, "conditions": [], "note": note, "worlds": "unread"}
+
+
 def line_records(lecture: Lecture, texts: Iterable[Text], notation: Notation) -> list[Record]:
     """What `rigidtop check --lines --json` says: an object for every display of some pages.
 
-    `line` is where the display begins in its `file`.  A fault of a page is an object too, without
-    an `id`.
+    `line` is where the display begins in its `file`; `worlds` is what becomes of it wherever all
+    holds that it rests on: "sampled" if it is true there, "false" if it never is, "premise" or
+    "definition" if it rests on nothing, else "undecided" or "unread".  A fault of a page is an
+    object too, without an `id`.
     """
     faults = [*lecture.faults()]
     made: list[Record] = []
@@ -87,7 +95,7 @@ def line_records(lecture: Lecture, texts: Iterable[Text], notation: Notation) ->
         for shown in page.shown:
             row: Record = {"file": page.file, "line": shown.at}
             if shown.line is None:
-                more = {"id": "", "verdict": "unread", "conditions": [], "note": shown.problem}
+                more = _nothing("unread", shown.problem)
             else:
                 judged = lecture.judged(shown.line.id)
                 more = {
@@ -97,10 +105,11 @@ def line_records(lecture: Lecture, texts: Iterable[Text], notation: Notation) ->
                     else _verdict(judged),
                     "conditions": conditions(judged.known, notation),
                     "note": "" if judged.follows else reason(judged, lecture.letters, notation),
+                    "worlds": outcome(lecture, judged).verdict,
                 }
             made.append(row | more)
         made += [
-            {"file": file, "line": at, "id": "", "verdict": "fault", "conditions": [], "note": why}
+            {"file": file, "line": at} | _nothing("fault", why)
             for file, at, why in faults
             if file == page.file
         ]

@@ -218,7 +218,7 @@ def _braced(part: n.Braced) -> str:
 
 
 def _primed(part: n.Primed) -> str:
-    named = isinstance(part.of, n.Letter) and (part.of.mark or part.of.bold)
+    named = isinstance(part.of, n.Letter) and (part.of.mark or (part.of.bold and part.of.sub))
     text = _bracketed(latex(part.of)) if named else _base(part.of)
     return text + "'" * part.order
 

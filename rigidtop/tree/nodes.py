@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
+from functools import cache
 
 
 class Node:
@@ -303,10 +304,9 @@ def parts(node: Node) -> tuple[Node, ...]:
 def rebuilt(node: Node, others: Sequence[Node]) -> Node:
     """The same kind of node with other parts, as many as `parts` gives."""
     left = iter(others)
-    names = [field.name for field in fields(node)]  # type: ignore[arg-type]
     changed = {
         name: _filled(value, left)
-        for name, value in zip(names, _values(node), strict=True)
+        for name, value in zip(_names(node.__class__), _values(node), strict=True)  # type: ignore[arg-type]
         if isinstance(value, (Node, tuple))
     }
     return replace(node, **changed) if changed else node  # type: ignore[type-var]
@@ -324,7 +324,9 @@ def walked(node: Node) -> Iterator[Node]:
 def mapped(node: Node, change: Callable[[Node], Node]) -> Node:
     """The tree with `change` made of every node, from the inside out."""
     below = parts(node)
-    return change(rebuilt(node, [mapped(part, change) for part in below]) if below else node)
+    others = [mapped(part, change) for part in below]
+    same = all(part is other for part, other in zip(below, others, strict=True))
+    return change(node if same else rebuilt(node, others))
 
 
 def replaced(node: Node, old: Node, new: Node) -> Node:
@@ -345,7 +347,12 @@ def ungrouped(node: Node) -> Node:
 
 
 def _values(node: Node) -> list[object]:
-    return [getattr(node, field.name) for field in fields(node)]  # type: ignore[arg-type]
+    return [getattr(node, name) for name in _names(node.__class__)]  # type: ignore[arg-type]
+
+
+@cache
+def _names(kind: type) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(kind))
 
 
 def _collect(value: object, found: list[Node]) -> None:

@@ -84,9 +84,105 @@ TEXTS = [
     (SPRING + r"With $w = \sqrt{k/m}$" "\n" r"$x = A\cos wt + B\sin wt$", {3: True}),
     (SPRING + r"With $w = \sqrt{k/m}$" "\n" r"$x = A\cosh wt$", {3: None}),
     (r"$\ddot z = -g$" "\n" r"$z = vt - \frac12 gt^2$", {2: True}),
+    # values at the time 0 hold of the motion, however they are written
+    (SPRING + r"With $x(0) = a$ and $\dot x(0) = 0$ we have, if $w = \sqrt{k/m}$," "\n"
+     r"$$x = a\cos wt$$", {3: True}),
+    (SPRING + r"With $x(0) = a$ and $\dot x(0) = 0$ we have, if $w = \sqrt{k/m}$," "\n"
+     r"$$x = a\sin wt$$", {3: False}),
+    (r"$m\dot v = mg - kv$, and $v(0) = 0$." "\n" r"$$v(t) = \frac{mg}{k}(1 - e^{-kt/m})$$",
+     {2: True}),
+    # what does not change and is zero at an instant is zero
+    (r"$\ddot y = -g$. At $t = 0$ let $y = h$ and $\dot y = u$. Then" "\n"
+     r"$$\dot y = u - gt$$", {2: True}),
+    (r"$\ddot y = -g$. At $t = 0$ let $y = h$ and $\dot y = u$. Then" "\n"
+     r"$$\dot y = u + gt$$", {2: False}),
+    # what says 0 = 0 of an instant is said of all times
+    (r"$L = \frac12 ml^2\dot\theta^2 + mgl\cos\theta$, $E = \frac12 ml^2\dot\theta^2"
+     r" - mgl\cos\theta$ and $S = mg\cos\theta + ml\dot\theta^2$." "\n"
+     r"If it starts from rest at $\theta = \pi/2$, then $E = 0$ and" "\n"
+     r"$$ml\dot\theta^2 = 2mg\cos\theta,$$" "\n" "so\n" r"$$S = 2mg\cos\theta.$$",
+     {3: True, 5: False}),
+    # what is not equal picks a root
+    ("$(u - v)(u + v - 2w) = 0$. If $u \\ne v$, then\n$u + v = 2w$", {2: True}),
+    # a function that an energy has as well as the Lagrangian is no new one
+    (r"$L = \frac12 m\dot x^2 - V(x)$. The energy is" "\n" r"$$E = \frac12 m\dot x^2 - V(x)$$",
+     {2: False}),
+    # a property of another body, and the values of another case
+    ("For a solid cylinder $I = \\frac12 mR^2$, and\n$$E = \\frac12 mv^2 + \\frac12 I(v/R)^2$$"
+     "\nFor a hoop, $I = mR^2$ and\n$$E = mv^2$$\nHence\n$$E = 2mv^2$$",
+     {3: None, 4: True, 6: False}),
+    ("$r = p/(1 + c\\cos\\varphi)$. If $c = 0$, $r = p$. If $c = 1$, then\n$r = p/2$\n"
+     "at $\\varphi = 0$.", {2: None}),
+    # what is asked or said in two ways condemns nothing that rests on it
+    (r"A car has $v = 30\,\mathrm{m/s}$, $a = 5\,\mathrm{m/s^2}$ and $s = v^2/(2a)$. What if" "\n"
+     r"$v = 10\,\mathrm{m/s}$? Then" "\n" r"$s = 10\,\mathrm{m}$.", {2: None, 3: None}),
+    # two places in one sentence
+    (r"$L = \frac12 ml^2\dot\theta^2 + mgl\cos\theta$. The positions are at $\theta = 0$ and at"
+     "\n" r"$\theta = \pi$.", {2: None}),
+    # both roots in one formula
+    (r"$m\lambda^2 + b\lambda + k = 0$" "\n"
+     r"$\lambda_{1,2} = \frac{-b \pm \sqrt{b^2 - 4mk}}{2m}$", {2: True}),
+    (r"$m\lambda^2 + b\lambda + k = 0$" "\n"
+     r"$\lambda_{1,2} = \frac{-b \pm \sqrt{b^2 - mk}}{2m}$", {2: False}),
+    # a letter that comes with a factor is new all the same
+    ("$u = p + e$, $w = p - e$.\n$2a = u + w$", {2: None}),
+    # a velocity that is tied to a rate moves
+    (r"Rolling: $r\omega = (R - r)\dot\theta$." "\n"
+     r"$T = \frac12 m(R - r)^2\dot\theta^2 + \frac14 mr^2\omega^2$, $V = -mg(R - r)\cos\theta$ and"
+     "\n$L = T - V$. Hence\n" r"$\frac32(R - r)\ddot\theta + g\sin\theta = 0$, not" "\n"
+     r"$\frac32(R - r)\ddot\theta + 2g\sin\theta = 0$.", {4: True, 5: None}),
+    # an index that is lost
+    ("$m_1v = (m_1 + m_2)u$ and $Q = m_1v^2 - (m_1 + m_2)u^2$.\n"
+     r"$Q = \frac{m_1^2}{m_1 + m_2}v^2$", {2: False}),
     # what is set in one item does not hold in the next
     ("A bead has $v = 2 a$.\n\n1. Let $x = 3 a$ and $y = 2 x$. Then\n   $y = 6 a$.\n"
      "2. Let $x = 5 a$ and $y = 2 x$. Then\n   $y = 10 a$.\n", {1: None, 4: True, 6: True}),
+    # the exponent of a unit is no rounded number
+    (r"$t = 2.0\,\mathrm{s}$ and" "\n" r"$$f = 1/t \approx 0.90\,\mathrm{s^{-1}}$$", {2: False}),
+    (r"$a = 7 \times 10^4$" "\n" r"$b = (a/10)^2 = 5 \times 10^7$", {2: True}),
+    # commas between thousands, where points stand before decimals
+    ("$r = 2.5\\,\\mathrm{m}$.\n"
+     r"$v = 7{,}750\,\mathrm{m/s} \approx 7.75\,\mathrm{km/s}$", {2: True}),
+    ("$r = 2.5$\n$v = 4000r \\approx 10{,}000$", {2: True}),
+    # a derivative along the motion
+    (r"$\frac{d\dot\theta^2}{d\theta} = 2\ddot\theta$", {1: True}),
+    (r"$v = \dot x$" "\n" r"$$\ddot x = \frac{dv}{dx}v$$", {2: True}),
+    # a number in front of what is differentiated
+    (r"$\frac{d}{dt}\frac12(m\dot x^2) = m\dot x\ddot x$", {1: True}),
+    # a rate where a coordinate has a value is no rate of that value
+    (r"$\ddot\theta = -w^2\sin\theta$" "\n" r"$$\dot\theta\big|_{\theta = 0} = 0$$", {2: None}),
+    # two roots with no equation, and two of three
+    (r"$\lambda_3 = C$ and" "\n" r"$$\lambda_{1,2} = a \pm \sqrt{b}$$" "\n"
+     r"$$\lambda_1 - \lambda_2 = 2\sqrt{b}$$", {2: None, 3: True}),
+    (r"$(\lambda^2 - 2a\lambda + b)(\lambda - c) = 0$" "\n"
+     r"$$\lambda_{1,2} = a \pm \sqrt{a^2 - b}$$", {2: True}),
+    # the letter of the unit matrix
+    (r"$M = \begin{pmatrix}a & b\\ b & c\end{pmatrix}$" "\n"
+     r"$$\det(M - \lambda E) = (a - \lambda)(c - \lambda) - b^2$$", {2: True}),
+    # components of a vector of which nothing says what it is
+    (r"$\dot{\mathbf L} = \mathbf N$ with $\mathbf L = (p, q, s)$, hence" "\n"
+     r"$$\dot p = N_1, \quad \dot q = N_2$$" "\n" r"$$\dot s = -N_3$$", {2: True, 3: False}),
+    # the length of a vector with an index
+    (r"$\vec v_i = \vec\omega \times \vec r_i$" "\n"
+     r"$$\sum_i m_i\vec r_i \times \vec v_i = \sum_i m_i"
+     r"[r_i^2\vec\omega - (\vec r_i\cdot\vec\omega)\vec r_i]$$", {2: True}),
+    # another sign, or twice as much, is no approximation
+    (r"$\ddot x = -w^2x + 2s\dot y$ and $\ddot y = -w^2y - 2s\dot x$ for small $s$." "\n"
+     r"With $u = x + iy$," "\n" r"$$\ddot u - 2is\dot u + w^2u = 0$$", {3: False}),
+    # a motion of known letters that obeys what holds but for a number
+    (r"$\ddot x = 2sgt$ with $x(0) = 0$ and $\dot x(0) = 0$." "\n" r"$$x = \frac23sgt^3$$",
+     {2: False}),
+    # another body, in an example of its own or by the words
+    (r"\begin{example} $A = B = C$. \end{example}" "\n"
+     r"\begin{example} $A = B = \frac14mr^2$," "\n" r"$C = \frac12mr^2$.\end{example}", {3: None}),
+    ("For the disc $I = \\frac12mr^2$.\nFor the hoop on a nail $I = 2mr^2$.", {2: None}),
+    # another value of a letter
+    ("When $a = 0$ all is well. 当$a = \\pi$时.\n它是 $a = 3$.", {1: None, 2: None}),
+    # a chain that ends with a letter is no slip for the one with which it begins
+    ("$E = m + c$.\n$H = T + V$\n$$H = T + V = E$$", {3: None}),
+    # a dimension, and a differential of a package
+    (r"$\theta = 2a$. $[\theta] = 1$", {1: None}),
+    (r"$g = f - ux$" "\n" r"$$\dd{g} = \dd{f} - u\dd{x} - x\dd{u}$$", {2: None}),
     # two shapes of a letter are one, unless a text has both
     ("$\\phi = 2 a$\n$b = φ$\n$b = 2 a$", {3: True}),
     ("$\\varphi = 2 a$\n$\\phi = 3 a$\n$b = \\varphi$\n$b = 2 a$", {2: None, 4: True}),

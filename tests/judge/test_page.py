@@ -1,0 +1,197 @@
+"""Lines of pages in the worlds of what they rest on."""
+
+import numpy as np
+import pytest
+from sympy import Integer
+
+from rigidtop.collection import load
+from rigidtop.derivations import lecture
+from rigidtop.judge.jets import Jet, symbol
+from rigidtop.judge.outcome import FALSE, SAMPLED
+from rigidtop.judge.page import outcome, witness
+from rigidtop.judge.worlds import Worlds
+from rigidtop.tree.nodes import Letter
+
+LETTERS = """
+from rigidtop.theory.lettered import in_order, positive, real
+from rigidtop.theory.symbols import Glyph, t as t
+
+a, c, h, v, x, ydot, y, sdot, s, W, theta = in_order(
+    positive("a", Glyph("a"), "a positive number", "1"),
+    positive("c", Glyph("c"), "a rate", "1/s"),
+    positive("h", Glyph("h"), "a positive number", "1"),
+    real("v", Glyph("v"), "any number", "1"),
+    real("x", Glyph("x"), "any number", "1"),
+    real("ydot", Glyph("y", accent="dot"), "its rate", "1/s"),
+    real("y", Glyph("y"), "any number", "1"),
+    real("sdot", Glyph("s", accent="dot"), "its rate", "1/s"),
+    real("s", Glyph("s"), "any number", "1"),
+    real("W", Glyph("W"), "any number", "1"),
+    real("theta", Glyph("θ"), "any number", "1"),
+)
+"""
+PAGES = """
+from rigidtop.proof.page import Page
+
+from . import letters as letters
+
+PAGES = (Page("1", "A page", "A page.", (), text="page"),)
+"""
+
+
+@pytest.fixture
+def judged(tmp_path):
+    """What becomes of the last line of a page."""
+
+    def last(page):
+        folder = tmp_path / "own"
+        folder.mkdir()
+        (folder / "__init__.py").write_text(PAGES, "utf-8")
+        (folder / "letters.py").write_text(LETTERS, "utf-8")
+        (folder / "page.md").write_text(page, "utf-8")
+        lecture = load(folder).lecture
+        return lecture.judged([*lecture.lines][-1])
+
+    return last
+
+
+LAWS = r"""# 1 A page
+
+## Laws
+
+Chosen. The size:
+
+$$W = {size}$$
+
+Chosen. The sine:
+
+$$W = \sin\theta$$
+
+## Lines
+
+Put the sine into the size:
+
+$$\sin\theta = {size}$$
+"""
+
+
+def test_a_line_that_no_number_obeys_is_a_gap(judged):
+    line = judged(LAWS.replace("{size}", "2"))
+    assert not line.follows
+    assert "holds for no numbers" in str(line.problem)
+
+
+def test_the_same_line_with_numbers_follows(judged):
+    assert judged(LAWS.replace("{size}", r"\frac12")).follows
+
+
+POWER = r"""# 1 A page
+
+## Laws
+
+Chosen. The power:
+
+$$y = x^v$$
+
+## Lines
+
+Set $x = {place}$ in the power:
+
+$$y = {base}^v$$
+"""
+
+
+@pytest.mark.parametrize(("place", "base", "follows"), [("-1", "(-1)", False), ("2", "2", True)])
+def test_only_whole_powers_of_what_is_negative(judged, place, base, follows):
+    assert judged(POWER.replace("{place}", place).replace("{base}", base)).follows is follows
+
+
+def test_what_is_added_to_what_cannot_be_is_a_gap(judged):
+    sum_ = (
+        LAWS[: LAWS.index("## Lines")].replace("{size}", "2")
+        + r"""## Lines
+
+Add the size to the sine:
+
+$$2W = 2 + \sin\theta$$
+"""
+    )
+    assert not judged(sum_).follows
+
+
+RIGHT = r"""# 1 A page
+
+## Laws
+
+Chosen. The potential:
+
+$$W = -a\cos\theta$$
+
+Chosen. Along the motion, the even pace:
+
+$$\dot s = c$$
+
+Chosen. Along the motion, the quarter:
+
+$$\dot y = c\sqrt{a^2 - y^2}$$
+
+Chosen. The circle:
+
+$$x^2 + y^2 = a^2$$
+
+Chosen. The exponent:
+
+$$v = \ln\frac ah$$
+
+## Lines
+
+"""
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "Set $\\theta = \\frac\\pi2$ in the potential:\n\n$$W = 0$$",
+        "Set $\\theta = 0$ in the potential:\n\n$$W = -a$$",
+        "Set $x = 0$ in the circle:\n\n$$y^2 = a^2$$"
+        "\n\nSolve it for $y$, for $y < 0$:\n\n$$y = -a$$",
+        "Set $x = -a$ in the circle:\n\n$$y^2 = 0$$",
+        "Rewrite the exponent:\n\n$$v = \\ln a - \\ln h$$",
+        "Integrate the even pace from $s = h$:\n\n$$s = h + ct$$",
+        "Integrate the even pace from $s = 0$ to $s = h$:\n\n$$t = \\frac hc$$"
+        "\n\nMultiply it by $c$:\n\n$$ct = h$$"
+        "\n\nMultiply it by $2$:\n\n$$2ct = 2h$$",
+        "Integrate the quarter from $y = 0$ to $y = a$:\n\n$$t = \\frac\\pi{2c}$$"
+        "\n\nMultiply it by $2c$:\n\n$$2ct = \\pi$$"
+        "\n\nMultiply it by $2$:\n\n$$4ct = 2\\pi$$",
+    ],
+)
+def test_a_right_line_is_never_refuted(judged, lines):
+    line = judged(RIGHT + lines + "\n")
+    assert line.follows, line.problem
+
+
+def test_a_witness_has_few_numbers_of_letters_that_the_page_writes():
+    letters = tuple(symbol(Jet(Letter("r", bold=True), 0, (k,))) for k in range(3))
+    hidden = symbol(Jet(Letter("I", mark="entry"), 0, (0, 0)))
+    others = tuple(symbol(Jet(Letter(name))) for name in "abcdefgh")
+    points = np.arange(1.0, 13.0).reshape(12, 1) + 0j
+    worlds = Worlds((*letters, hidden, *others), points)
+    why = witness(worlds, [(sum((*letters, *others), hidden), Integer(0))])
+    assert why == (
+        "it does not hold: its sides are 78 and 0, for instance where "
+        "r = (1, 2, 3), a = 5, b = 6, c = 7, d = 8, e = 9"
+    )
+
+
+def test_lines_of_the_lecture_hold_in_their_worlds():
+    pages = lecture()
+    ids = ["3.33", "3.37", "3.54", "3.55", "3.57"]
+    verdicts = {id: outcome(pages, pages.judged(id)).verdict for id in ids}
+    assert verdicts == dict.fromkeys(ids, SAMPLED)
+
+
+def test_no_line_of_the_lecture_is_false():
+    pages = lecture()
+    verdicts = {id: outcome(pages, pages.judged(id)).verdict for id in [*pages.lines][::7]}
+    assert FALSE not in verdicts.values()
