@@ -359,7 +359,7 @@ def test_an_answer_is_marked_by_a_collection_of_ones_own(own, capsys):
     assert "line 1 does not follow: 0 of 1 lines" in capsys.readouterr().out
     for words, said in (
         ([own], "is a collection, no answer: the answer stands behind it"),
-        ([STARTER, answer], "starter has no MODELS, by which answers are marked"),
+        ([STARTER, answer], "no line of the lecture is called '1.5'"),
         ([answer, answer, answer], "one answer at a time: 3 names are too many"),
     ):
         assert main(["mark", *map(str, words), *ends]) == 2

@@ -97,6 +97,12 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
     )
     numbered = {formula.start for each in audited for formula in each.group.formulas}
     place = places(source)
+    rows = judged(text.text, macros, until)
+    if audited and collection.folder is None:
+        from rigidtop.mark.held import held
+        from rigidtop.mark.task import top
+
+        rows = held(rows, top(), until)
     findings = [
         *map(of_claim, audited),
         *(of_place(place(p.position)[0], p.reason) for p in problems(source) if not p.skipped),
@@ -105,11 +111,7 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
             for each in files
             for at, why in left_out(each, files)
         ),
-        *(
-            each
-            for each in of_rows(judged(text.text, macros, until), text, files[0])
-            if each.formula not in numbered
-        ),
+        *(each for each in of_rows(rows, text, files[0]) if each.formula not in numbered),
     ]
     if not findings:
         raise RigidtopError(f"{path}: no formulas between dollars or the like that say something")

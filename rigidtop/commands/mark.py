@@ -7,7 +7,7 @@ import csv
 import sys
 from collections import Counter
 from collections.abc import Callable
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,7 +19,7 @@ from rigidtop.terminal.files import LONGEST, text_of
 
 if TYPE_CHECKING:
     from rigidtop.mark.marking import Marking
-    from rigidtop.mark.passages import Subject
+    from rigidtop.mark.task import Subject
 
 ABOUT = "mark a derivation: the first line that does not follow, and the slip"
 
@@ -28,12 +28,15 @@ FILE is LaTeX, or Markdown with dollars; every formula in it is a line of the an
 A line follows if it holds for every motion that the lecture allows between the two
 equations, in whatever form and order.  It is judged by its truth for these, not by
 the line before; where nothing of the way is shown, that is said.  N is the number of
-an equation, or the name of a claim, such as two-roots.  The exit code is 0 only
-if every line follows and the last equation is reached; a line that is wrong, unread
-or inconclusive gives 1.  For a folder it is 0 if each answer could be marked.
+an equation, or the name of a claim, such as two-roots.  With --given the answer
+starts from what another file states, such as a Lagrangian of one's own.  The exit
+code is 0 only if every line follows and the last equation is reached; a line that is
+wrong, unread or inconclusive gives 1.  For a folder it is 0 if each answer could be
+marked.
 
-example:
-  rigidtop mark answer.tex --from 3.53 --to 3.57"""
+examples:
+  rigidtop mark answer.tex --from 3.53 --to 3.57
+  rigidtop mark answer.tex --given own.tex --to 'm\\ddot x = -kx'"""
 
 COLORS = {
     "follows": "green",
@@ -53,11 +56,21 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         nargs="+",
         metavar="FILE",
         help="the answer; - reads it from standard input; a folder of answers becomes a table of "
-        "marks (CSV); before it a folder with a collection of one's own that has MODELS, if they "
-        "are to be marked by that",
+        "marks (CSV); before it a folder with a collection of one's own, if they are to be marked "
+        "by that",
     )
     parser.add_argument("--from", dest="start", metavar="N", help="the equation to start from")
-    parser.add_argument("--to", dest="goal", metavar="N", help="the equation to arrive at")
+    parser.add_argument(
+        "--to",
+        dest="goal",
+        metavar="N",
+        help="the equation to arrive at; with --given a formula in TeX",
+    )
+    parser.add_argument(
+        "--given",
+        metavar="FILE",
+        help="in place of --from: a file with what the answer may use, in formulas",
+    )
     parser.add_argument(
         "--exercise",
         metavar="NAME",
@@ -66,7 +79,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--set",
-        dest="given",
+        dest="settings",
         nargs="+",
         default=(),
         metavar="NAME=VALUE",
@@ -79,9 +92,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Mark and print; 0 if every line follows and the derivation arrives."""
-    if (options.exercise is None) == (None in (options.start, options.goal)):
-        raise RigidtopError("say --from N --to N, or --exercise NAME")
-    if options.exercise is None and options.given:
+    start = options.start if options.given is None else options.given
+    both = options.start is not None and options.given is not None
+    if both or (options.exercise is None) == (None in (start, options.goal)):
+        raise RigidtopError("say --from N --to N, --given FILE --to TEX, or --exercise NAME")
+    if options.exercise is None and options.settings:
         raise RigidtopError("--set: only an exercise has settings")
     if not 0 < options.seconds <= 3600:
         raise RigidtopError(f"--seconds must be between 0 and 3600, not {options.seconds:g}")
@@ -90,10 +105,12 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError(f"one answer at a time: {len(options.file)} names are too many")
     if (Path(file) / "__init__.py").is_file():
         raise RigidtopError(f"{file} is a collection, no answer: the answer stands behind it")
-    subject = partial(_subject, folders[0]) if folders else None
+    subject = cache(partial(_subject, folders[0])) if folders else None
     if subject is not None:
         if options.exercise is not None:
             raise RigidtopError("--exercise: those of a collection of one's own are not marked")
+        if options.given is not None:
+            raise RigidtopError("--given: a file stands for the collection; leave one of them out")
         subject()  # what is wrong with it is told once, and first
     if file != "-" and Path(file).is_dir():
         return _class(Path(file), options, subject)
@@ -117,11 +134,9 @@ def _with_lines(name: str, marked: tuple[str, str, Marking]) -> tuple[str, str, 
 def _subject(folder: str) -> Subject:
     """A collection of one's own as what answers are judged by."""
     from rigidtop.collection import opened
-    from rigidtop.mark.passages import Subject
+    from rigidtop.mark.task import Subject
 
     with opened([f"{folder}/"]) as (collection, _):
-        if not collection.models:
-            raise RigidtopError(f"{folder} has no MODELS, by which answers are marked")
         families = tuple((model,) for model in collection.models)
         return Subject(collection.lecture, families, collection.notation)
 
@@ -130,15 +145,20 @@ def _marked(
     source: str, options: argparse.Namespace, subject: Callable[[], Subject] | None
 ) -> tuple[str, str, Marking]:
     """The marks of an answer, and the ends of the derivation, if it is one."""
-    from rigidtop.mark.limits import marked
+    from rigidtop.mark.answer import mark
+    from rigidtop.mark.task import task, task_of
 
     limits = options.seconds, 6 * options.seconds
     if options.exercise is not None:
-        from rigidtop.mark.exercise import answered  # with it NumPy, which a browser may not have
+        from rigidtop.mark.exercise import answered
 
-        return answered(options.exercise, source, options.given, *limits)
+        return answered(options.exercise, source, options.settings, *limits)
+    if options.given is not None:
+        asked = task_of(text_of(options.given), options.goal)
+        return options.given, options.goal, mark(source, asked, *limits)
     start, goal = options.start, options.goal
-    return start, goal, marked(source, start, goal, *limits, subject)
+    asked = task(start, goal, None if subject is None else subject())
+    return start, goal, mark(source, asked, *limits)
 
 
 COLUMNS = ("file", "points", "of", "passed", "wrong line", "slips", "summary")
@@ -163,10 +183,10 @@ def _class(folder: Path, options: argparse.Namespace, subject: Callable[[], Subj
             writer.writerow([_cell(path.name), 0, 0, False, "", "", _cell(str(error))])
             unmarked += 1
             continue
-        slips = [slip for line in found.lines for slip in line.slips]
-        kinds.update({slip.kind for slip in slips})
+        slips = dict.fromkeys(line.slip for line in found.lines if line.slip)
+        kinds.update(slips.keys())
         wrong = found.first_wrong
-        words = _cell("; ".join(dict.fromkeys(slip.words for slip in slips)))
+        words = _cell("; ".join(slips))
         line = wrong.line if wrong is not None else ""
         summary = _cell(found.summary)
         row = [_cell(path.name), *found.points, found.passed, line, words, summary]

@@ -1,416 +1,443 @@
-"""Marking a derivation: the first line that does not follow, why not, and what the slip was.
+"""An answer marked: each of its lines by what is given, and whether it arrives.
 
-A line is right if it holds for every motion that the facts of its passage allow
-(`rigidtop.mark.passages`): in any order and any form.  It is not compared with the line before it:
-what is marked is truth, not how much is shown.  The goal alone, copied, passes, and it is said how
-many lines the page has in between; of what does not arrive it is said what comes next.  Normal
-forms prove a line, numbers refute it; where neither succeeds it is inconclusive, never right.  The
-derivation has to arrive: at the goal, or at what is the goal times a factor that does not vanish.
+A line follows if it holds in one of the contexts of its task, with what the answer itself has set
+and named, in any order and any form.  It is not compared with the line before it: what is marked is
+truth, not how much is shown.  The goal alone, copied, passes, and it is said how many lines the
+page has in between; of what does not arrive it is said what comes next.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, field
-from itertools import combinations, pairwise
-from typing import Any
+import re
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
-import sympy
-from sympy import Expr, Ne, Pow, Symbol, cos, sin
-
-from rigidtop.derivations import models
-from rigidtop.mark.explain import (
-    counterexample,
-    explain,
-    foreign,
-    is_own,
-    side_text,
-    symbols_in,
+from rigidtop.errors import RigidtopError
+from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Definition, Habits
+from rigidtop.judge.judge import NEARLY, Judge, Situation
+from rigidtop.judge.laws import LAGRANGIANS
+from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, UNREAD, Outcome
+from rigidtop.judge.text import (
+    Read,
+    declared_letters,
+    habits_of,
+    in_time,
+    instants,
+    is_time,
+    read_text,
+    situation,
 )
-from rigidtop.mark.links import ERRORS, Link, Verdict, is_matrix, judge, one_angle
+from rigidtop.mark.arrival import equalities, holds_on, is_reached, is_said, is_trivial
 from rigidtop.mark.marking import Mark, Marked, Marking
-from rigidtop.mark.passages import Subject, letters_of, passage, top, way
-from rigidtop.mark.steps import Step, steps, too_large
-from rigidtop.proof import bounds, decide
-from rigidtop.proof.counterexample import entries
-from rigidtop.proof.equation import Equation, Rate, Underbrace
-from rigidtop.proof.model import Model, Passage
-from rigidtop.proof.moves import Known
-from rigidtop.proof.trial import diagnose
-from rigidtop.theory import symbols as s
-from rigidtop.theory.trig import reduce_ratio
-from rigidtop.typeset.text import text
+from rigidtop.mark.task import Branch, Task, Together
+from rigidtop.read.document import problems
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.plain import plain
+from rigidtop.tree.statement import Statement, Unread
+
+LONGEST = 200_000
+"""An answer has no more characters."""
+
+MOST_LINES = 300
+"""More lines of an answer are not marked."""
+
+SECONDS_A_LINE, SECONDS = 20.0, 120.0
+"""How long a line and an answer are judged (s, of the processor's time)."""
 
 
 def mark(
-    source: str,
-    start: str,
-    goal: str,
-    skip: Collection[int] = (),
-    heard: Callable[[Marked], None] = lambda _: None,
-    subject: Subject | None = None,
+    source: str, task: Task, a_line: float = SECONDS_A_LINE, altogether: float = SECONDS
 ) -> Marking:
-    """Mark a derivation, the text of a file, from one numbered equation to another.
+    """What becomes of the lines of an answer, the text of a file, and of the whole.
 
-    The lines `skip`, counted from 0, are not judged: they are inconclusive.  `heard` is told each
-    line as soon as it is marked.  The subject is the top if none is given.  Raises RigidtopError
-    where there are no facts for these two.
+    A line that takes longer than `a_line` seconds is inconclusive, and so is all behind
+    `altogether`.  Raises RigidtopError for a text that is too long.
     """
-    subject = subject or top()
-    answer = _Answer(passage(start, goal, subject), subject)
-    for i, step in enumerate(steps(source, letters_of(answer.passage, subject.notation))):
-        heard(answer.take(step, judged=i not in skip))
-    return answer.marking()
+    if len(source) > LONGEST:
+        raise RigidtopError(f"an answer has no more than {LONGEST} characters, not {len(source)}")
+    until = time.process_time() + altogether
+    answer = _Answer.begun(source, task)
+    lines: list[Marked] = []
+    for at, each, situated in _asserted(source, task, until):
+        if len(lines) == MOST_LINES:
+            lines.append(Marked(at, "", Mark.UNREAD, f"more than {MOST_LINES} lines"))
+            break
+        if isinstance(each, Unread):
+            said = " ".join(str(situated).split())
+            lines.append(Marked(at, said, Mark.UNREAD, each.reason))
+            continue
+        assert isinstance(situated, Situation)
+        answer, outcome, place = answer.after(each, situated, _Limits(a_line, until))
+        wrong = next((x.line for x in lines if x.mark is Mark.WRONG), 0)
+        lines.append(_marked(at, each, outcome, answer, wrong, task.words[place]))
+    return _marking(tuple(sorted(lines, key=lambda x: x.line)), answer, task, until)
 
 
-# --- The answer ----------------------------------------------------------------------------------
+@dataclass(frozen=True)
+class _Limits:
+    """Seconds for a line, and the time at which all is over."""
+
+    a_line: float
+    until: float
 
 
-@dataclass
-class _Answer:
-    """Takes one line after the other."""
-
-    passage: Passage
-    subject: Subject = field(default_factory=top)
-    marked: list[Marked] = field(default_factory=list)
-    true: list[Equation] = field(default_factory=list)
-    definitions: dict[Expr, Expr] = field(default_factory=lambda: {**models.SLOPES_IN_RATES})
-    wrong: list[tuple[int, Equation]] = field(default_factory=list)
-    stated: list[Any] = field(default_factory=list)
-    lost: list[str] = field(default_factory=list)
-    failed: bool = False
-    explained: bool = True
-
-    def take(self, step: Step, judged: bool = True, explained: bool = True) -> Marked:
-        """Mark the next line, or leave it unjudged; `explained`: look for the slip, too."""
-        self.explained = explained
-        unjudged = Marked(step.number, step.source, Mark.INCONCLUSIVE, "it takes too long to judge")
-        self.marked.append(self._marked(step) if judged else unjudged)
-        return self.marked[-1]
-
-    def marking(self) -> Marking:
-        goal, lost = self.passage.goal, tuple(dict.fromkeys(self.lost))
-        arrives, pages = self._arrives(), way(self.passage.start, self.passage.goal, self.subject)
-        if not arrives:
-            note = pages.missing(self.true)
-        else:
-            note = "" if any(map(self._is_a_step, self.true)) else pages.skipped
-        return Marking(tuple(self.marked), arrives, goal, lost, way=note)
-
-    def _is_a_step(self, equation: Equation) -> bool:
-        """Whether a line says anything but the goal, or a part of it, and what is trivial."""
-        goals = self._needed()
-        sides = [side for side in equation.sides if side != s.const]
-        for left, right in pairwise(sides):
-            given = _differences(left, right, self.passage.loose)
-            if not given or not self._in_terms(left, right):
-                return True
-            if not all(d == 0 or any(self._implies(d, goal) for goal in goals) for d in given):
-                return True
-            if all(d == 0 for d in given) and left != right:
-                return True
-        return len(sides) == 1 and sides[0] != self.passage.conserved
-
-    def _marked(self, step: Step) -> Marked:
-        equation = step.line.equation
-        if equation is None:
-            return Marked(step.number, step.source, Mark.UNREAD, step.line.problem)
-        said = _said(equation, step.source)
-        large = too_large(equation)
-        if large:
-            return Marked(step.number, said, Mark.UNREAD, large)
-        links, defined = self._links(equation)
-        undefined = sorted(
-            {x for link in links for x in symbols_in(link) if is_own(x)} - set(self.definitions),
-            key=str,
-        )
-        if undefined:
-            names = ", ".join(text(x) for x in undefined)
-            note = f"{names} means nothing yet: define it on a line of its own"
-            return Marked(step.number, said, Mark.UNREAD, note)
-        if equation.relation == "≠":
-            return self._assumed(step, said, links)
-        if equation.relation not in ("=", "≡"):
-            note = f"statements with {equation.relation} are not judged"
-            return Marked(step.number, said, Mark.INCONCLUSIVE, note)
-        if not links:
-            return Marked(step.number, said, Mark.DEFINITION, f"{', '.join(map(text, defined))}")
-        return self._judged(step, said, links)
-
-    # Definitions
-
-    def _links(self, equation: Equation) -> tuple[list[Link], list[Symbol]]:
-        """The equalities of a chain, without those that define a letter of the student's own."""
-        links: list[Link] = []
-        defined: list[Symbol] = []
-        braces = [
-            (label, body)
-            for brace in set().union(*(_atoms(side, Underbrace) for side in equation.sides))
-            for body, label in [brace.args]
-        ]
-        # a = const = b says of both that they are constant, and that they are equal.
-        chain = [side for side in equation.sides if side != s.const]
-        to_const = [(a, b) for a, b in pairwise(equation.sides) if s.const in (a, b)]
-        pairs = [*pairwise(chain), *to_const, *braces]
-        for left, right in pairs:
-            for name, meant in ((left, right), (right, left)):
-                if self._defines(equation, name, meant):
-                    self.definitions[name] = self._own_replaced(meant)
-                    defined.append(name)
-                    break
-            else:
-                if right == s.const or left == s.const:
-                    other = left if right == s.const else right
-                    if other != s.const:
-                        links.append(Link(self._own_replaced(other), None))
-                else:
-                    links.append(Link(self._own_replaced(left), self._own_replaced(right)))
-        return links, defined
-
-    def _defines(self, equation: Equation, name: Expr, meant: Expr) -> bool:
-        if equation.relation not in ("=", "≡") or not is_own(name) or name in self.definitions:
-            return False
-        if meant == s.const or is_matrix(meant):
-            return False
-        return not any(is_own(x) and x not in self.definitions for x in meant.free_symbols)
-
-    def _own_replaced(self, side: Expr) -> Any:
-        """A side with the student's letters replaced by what they were defined as."""
-        if is_matrix(side):
-            return side.applyfunc(self._own_replaced)
-        if side in self.definitions:
-            return self.definitions[side]
-        if not side.args or not side.has(*self.definitions):
-            return side
-        with sympy.evaluate(False):
-            return side.func(*(self._own_replaced(argument) for argument in side.args))
-
-    # Assumptions
-
-    def _assumed(self, step: Step, said: str, links: Sequence[Link]) -> Marked:
-        model = self.passage.models[-1]
-        note = ""
-        for link in links:
-            try:
-                if link.right is None or not (_is_analytic(link.left) and _is_analytic(link.right)):
-                    return Marked(step.number, said, Mark.INCONCLUSIVE, _NO_ASSUMPTION)
-                left, right = model.value(link.left), model.value(link.right)
-                [difference] = entries(left, right)
-            except ERRORS:
-                return Marked(step.number, said, Mark.INCONCLUSIVE, "not compared")
-            if decide.vanishes(one_angle(difference)):
-                return Marked(step.number, said, *self._wrong(), "the two are equal")
-            self.stated.append(Ne(difference, 0))
-            if difference in (s.theta, -s.theta):
-                note = "sin θ = 0 is possible all the same, at θ = π"
-        return Marked(step.number, said, Mark.ASSUMPTION, note)
-
-    def _wrong(self) -> tuple[Mark]:
-        """The first wrong line is wrong; what is false behind it may come from there."""
-        found = Mark.CARRIED if self.failed else Mark.WRONG
-        self.failed = True
-        return (found,)
-
-    # Equalities
-
-    def _judged(self, step: Step, said: str, links: Sequence[Link]) -> Marked:
-        """Judged for the most general motion for which all links hold."""
-        failed: tuple[Link, Verdict, Model] | None = None
-        unsure: Verdict | None = None
-        for model in self.passage.models:
-            verdicts = [self._judge_if_known(link, model) for link in links]
-            if all(v.holds for v in verdicts):
-                assert step.line.equation is not None
-                self.true.append(_replaced(step.line.equation, self._own_replaced))
-                note = f"for {model.words}" if model.words else ""
-                lost = self._lost(links, model)
-                if lost:
-                    note = f"{note}; {lost}" if note else lost
-                return Marked(step.number, said, Mark.FOLLOWS, note)
-            bad = next((i for i, v in enumerate(verdicts) if v.holds is False), None)
-            unsure = next((v for v in verdicts if v.holds is None), None)
-            failed = None if bad is None else (links[bad], verdicts[bad], model)
-        if failed is not None and step.line.condition:
-            note = f"it does not hold always; whether it does {step.line.condition} is not judged"
-            return Marked(step.number, said, Mark.INCONCLUSIVE, note)
-        if failed is None:
-            assert unsure is not None
-            return Marked(step.number, said, Mark.INCONCLUSIVE, unsure.why)
-        link, verdict, model = failed
-        [found] = self._wrong()
-        where = f"{side_text(link.left)} = {side_text(link.right)}: " if len(links) > 1 else ""
-        note = where + counterexample(link, verdict)
-        assert step.line.equation is not None
-        whole = _replaced(step.line.equation, self._own_replaced)
-        if found is Mark.CARRIED:
-            note, behind = self._carried(step.number, whole)
-            return Marked(step.number, said, found, note, behind=behind)
-        self.wrong.append((step.number, whole))
-        named = explain(link, self.passage) if self.explained else ()
-        if named:
-            note = f"{', or '.join(slip.words for slip in named)}; {note}"
-        return Marked(step.number, said, found, note, named)
-
-    def _carried(self, number: int, equation: Equation) -> tuple[str, int]:
-        """Whether what is false follows from a false line above it, in words, and that line."""
-        for line, above in reversed(self.wrong):
-            try:
-                found = diagnose([equation], [Known("", (above,))], self.subject.lecture.letters)
-            except ERRORS:
-                continue
-            if found is not None and found.entailed:
-                self.wrong.append((number, equation))
-                return f"follows from line {line}, which does not", line
-        return "does not hold either, behind a wrong line", 0
-
-    def _judge_if_known(self, link: Link, model: Model) -> Verdict:
-        """Ω means nothing for a motion that is not steady."""
-        unknown = foreign(link, model)
-        if unknown:
-            names = ", ".join(text(x) for x in sorted(unknown, key=str))
-            return Verdict(None, why=f"{names} means nothing here")
-        return judge(link, model)
-
-    def _lost(self, links: Sequence[Link], model: Model) -> str:
-        """What a line leaves out that the facts allow."""
-        if model.lost is None or any(
-            bounds.nonzero(model.lost, [condition]) for condition in self.stated
-        ):
-            return ""
-        for branch in model.branch:
-            if any(judge(link, branch).holds is False for link in links):
-                said = f"{text(model.lost)} = 0 is lost"
-                self.lost.append(said)
-                return said
-        return ""
-
-    # Arrival
-
-    def _arrives(self) -> bool:
-        loose, needed = self.passage.loose, self._needed()
-        constant = self.passage.conserved is None
-        reached = [False] * len(needed)
-        for equation in self.true:
-            if self.passage.conserved is not None:
-                constants = self._constants_in(equation, needed[0])
-                constant = constant or bool(constants)
-                if any(self._is_shown(x) for x in constants if x != self.passage.conserved):
-                    reached = [True] * len(needed)  # p is but a name for what is constant
-            for left, right in combinations(equation.sides, 2):
-                if not self._in_terms(left, right):
-                    continue
-                for given in _differences(left, right, loose):
-                    for i, goal in enumerate(needed):
-                        reached[i] = reached[i] or self._implies(given, goal)
-        return constant and all(reached)
-
-    def _needed(self) -> list[Expr]:
-        """What has to vanish for the goal."""
-        loose = self.passage.loose
-        made: list[Expr] = []
-        for equation in self.passage.equations:
-            sides = [side for side in equation.sides if side != s.const]
-            for left, right in pairwise(sides):
-                made += [d for d in entries(loose.value(left), loose.value(right)) if d != 0]
-        return made
-
-    def _in_terms(self, *sides: Any) -> bool:
-        """Whether two sides speak only of what the goal speaks of."""
-        if s.const in sides or any(_atoms(side, Rate) for side in sides):
-            return False
-        typed = set().union(*(side.free_symbols for side in sides))
-        return typed <= self.passage.allowed
-
-    def _implies(self, given: Expr, goal: Expr) -> bool:
-        """Whether goal = 0 follows from given = 0, neither of them an identity."""
-        conditions = [*self.passage.given, *self.stated]
-        factor = reduce_ratio(sympy.expand_trig(given) / goal)
-        if factor.is_number:
-            return bool(factor != 0)  # 0 = 0 implies nothing
-        # Its numerator: what the line divides by is not zero where the line says anything.
-        return bounds.nonzero(factor, conditions)
-
-    def _constants_in(self, equation: Equation, goal: Expr) -> list[Any]:
-        """The momentum of the goal, in all forms in which a line says that it is constant."""
-        candidates: list[Any] = []
-        if s.const in equation.sides:
-            candidates += [side for side in equation.sides if side != s.const]
-        if 0 in equation.sides:
-            candidates += [x for side in equation.sides for x in _under_rate(side)]
-        return [what for what in candidates if self._is_momentum(what, goal)]
-
-    def _is_momentum(self, what: Expr, goal: Expr) -> bool:
-        loose, momentum = self.passage.loose, self.passage.conserved
-        if what == momentum:
-            return True
-        if is_matrix(what) or not what.free_symbols <= self.passage.allowed | {s.L3}:
-            return False
-        found = loose.value(what)
-        return decide.vanishes(found - momentum + goal) or decide.vanishes(found - momentum - goal)
-
-    def _is_written_out(self, side: Expr) -> bool:
-        """Whether it is the momentum in moments and rates, not another letter for it."""
-        if is_matrix(side) or not side.free_symbols & {s.lambda1, s.lambda3}:
-            return False
-        return self.passage.conserved != s.p_psi or s.L3 not in side.free_symbols
-
-    def _is_shown(self, what: Expr) -> bool:
-        """Whether what is constant is written out, there or in another line."""
-        if self._is_written_out(what):
-            return True
-        return any(
-            what in equation.sides and any(self._is_written_out(side) for side in equation.sides)
-            for equation in self.true
-        )
+# --- Reading -------------------------------------------------------------------------------------
 
 
-_NO_ASSUMPTION = "an assumption is that a rational expression in sines and cosines is not zero"
+def _asserted(
+    source: str, task: Task, until: float
+) -> Iterator[tuple[int, Statement | Unread, Situation | str]]:
+    """What an answer asserts, in the letters of its task, with the line where it stands.
 
-
-def _is_analytic(side: Expr) -> bool:
-    """Whether it vanishes at single motions only, or for all: no |x|, root or inverse function.
-
-    What such an assumption excludes has no interior; nearly every motion remains.
+    With it goes what the words around it say; with what is unread, what stands there.
     """
-    if is_matrix(side) or _atoms(side, Underbrace):
+    read, place = read_text(source, until=until, plain=True)
+    read = _conditions_first(read)
+    for problem in problems(source):
+        rest = source[problem.position : problem.position + 60].split("\n", 1)[0]
+        yield place(problem.position)[0], Unread(problem.position, problem.reason), rest
+    names, moments = declared_letters(source), instants(read)
+    moments = [each or _only_there(k, read) for k, each in enumerate(moments)]
+    for number, (passage, each) in enumerate(read):
+        line = place(passage.start + each.position)[0]
+        if isinstance(each, Unread):
+            yield line, each, passage.text
+            continue
+        if not each.relations or any(isinstance(x, n.Omitted) for x in each.sides):
+            continue
+        if is_time(each):
+            continue  # a moment: what is said of it has its own place there
+        at = situation(passage, number, moments[number], False, names)
+        yield line, _in_letters_of(each, read, task.contexts), replace(at, closed=True)
+
+
+_WHERE = re.compile(
+    r"\W*(?:(?:only|exactly|just|nur|genau) )?(?:for|if|when|where|at|falls|wenn|für|bei|wo)\W*",
+    re.I,
+)
+"""Words between a value and the condition under which a letter has it."""
+
+
+def _has_condition(k: int, read: Read) -> bool:
+    """Whether a letter is given a number there where the next formula holds."""
+    if k + 1 >= len(read):
         return False
-    functions = {type(f) for f in side.atoms(sympy.Function)}
-    return functions <= {sin, cos} and all(power.exp.is_Integer for power in side.atoms(Pow))
+    (passage, each), (behind, condition) = read[k : k + 2]
+    return (
+        passage.sentence == behind.sentence
+        and passage.start < behind.start
+        and bool(_WHERE.fullmatch(passage.behind))
+        and isinstance(each, Statement)
+        and isinstance(condition, Statement)
+        and {*each.relations} == {*condition.relations} == {"="}
+        and isinstance(each.sides[-1], n.Number)
+        and not is_time(condition)
+        and not any(isinstance(side, n.Constant) for side in condition.sides)
+    )
 
 
-def _under_rate(side: Expr) -> list[Any]:
-    """What a side is the rate of: d/dt p, ṗ."""
-    if isinstance(side, Rate):
-        return [side.args[0]]
-    for quantity, rate in {**models.MOMENTUM_RATES, **models.OTHER_RATES}.items():
-        if side == rate:
-            return [quantity]
-    return []
+def _conditions_first(read: Read) -> Read:
+    """The text with the condition before the value that it is for."""
+    order = list(range(len(read)))
+    for k in order[:-1]:
+        if _has_condition(k, read):
+            order[k], order[k + 1] = k + 1, k
+    return [read[k] for k in order]
 
 
-def _differences(left: Expr, right: Expr, model: Model) -> list[Expr]:
-    try:
-        return [one_angle(d) for d in entries(model.value(left), model.value(right))]
-    except ERRORS:
-        return []
+def _only_there(k: int, read: Read) -> str:
+    """The place of which a condition and the value that stood before it speak, if there is one."""
+    for j in (k - 1, k):
+        turned = [*read[j : j + 2]][::-1]
+        if j >= 0 and len(turned) == 2 and _has_condition(0, turned):
+            return f"there {turned[0][0].start}"
+    return ""
 
 
-def _atoms(side: Expr, kind: Any) -> set[Expr]:
-    trees = list(side) if is_matrix(side) else [side]
-    return set().union(*(tree.atoms(kind) for tree in trees))
+def _in_letters_of(each: Statement, read: Read, facts: Sequence[Context]) -> Statement:
+    """The statement in the letters of the facts: e₃ for the vector, ℒ for L with a derivative."""
+    known = frozenset().union(*(context.letters for context in facts))
+    written = {_head(x.sides[0]) for _, x in read if isinstance(x, Statement)}
+    differentiated = {
+        n.ungrouped(x.of)
+        for _, other in read
+        if isinstance(other, Statement)
+        for side in other.sides
+        for x in n.walked(side)
+        if isinstance(x, n.Derivative)
+    }
+
+    def change(node: Node) -> Node:
+        if not isinstance(node, Letter):
+            return node
+        if node == Letter("L") and node in differentiated and Letter("ℒ") in known:
+            return Letter("ℒ")
+        if node not in known and node not in written:
+            for mark in (node.mark, node.mark.replace("hat", "")):
+                bold = replace(node, bold=True, mark=mark)
+                if bold in known:
+                    return bold
+        if node.sub == "t" and node not in known and replace(node, sub="") in known:
+            return n.Rate(replace(node, sub=""), 1, True)  # θ_t for θ̇
+        return node
+
+    return replace(each, sides=tuple(n.mapped(side, change) for side in each.sides))
 
 
-def _replaced(equation: Equation, change: Any) -> Equation:
-    sides = [change(side) for side in equation.sides]
-    return Equation(*sides, relation=equation.relation, tag=equation.tag)
+def _head(node: Node) -> Node:
+    while isinstance(node, (n.Rate, n.Group, n.Call)):
+        node = node.function if isinstance(node, n.Call) else node.of
+    return node
 
 
-# --- Words ---------------------------------------------------------------------------------------
+# --- The fold ------------------------------------------------------------------------------------
 
 
-def _said(equation: Equation, source: str) -> str:
-    """The equation as it was read."""
-    try:
-        return text(equation)
-    except (TypeError, AttributeError, ValueError, KeyError):
-        return source
+@dataclass(frozen=True, eq=False)
+class _Answer:
+    """What is known behind a line of an answer.
+
+    `contexts` are the task's with what the answer has set and named, and `names` what letters are
+    called, which is asked where a line follows from nothing else; `believed` is what would hold
+    if the first wrong line were right.  `sound` are the equalities that follow, `chain` the sides
+    of the last chain, and `lost` what a right line leaves out; `in_body`: dots on vectors may be
+    rates as they are seen from the body.
+    """
+
+    judge: Judge
+    contexts: tuple[Context, ...]
+    names: Context
+    branches: tuple[Branch, ...]
+    believed: tuple[Context, ...] = ()
+    sound: tuple[Statement, ...] = ()
+    chain: tuple[Node, ...] = ()
+    lost: tuple[str, ...] = ()
+    carried: bool = False
+    in_body: bool = False
+
+    @classmethod
+    def begun(cls, source: str, task: Task) -> _Answer:
+        read, _ = read_text(source, plain=True)
+        own = habits_of([each for _, each in read if isinstance(each, Statement)])
+        contexts = tuple(_with_habits(context, own) for context in task.contexts)
+        in_body = bool(_BODY.search(source))
+        names = _with_habits(task.names, own)
+        return cls(Judge(), contexts, names, task.branches, in_body=in_body)
+
+    def after(
+        self, each: Statement, at: Situation, limits: _Limits
+    ) -> tuple[_Answer, Outcome, int]:
+        """What is known behind the next line, what becomes of it, and in which context."""
+
+        quick = Judge(self.judge.memory, left_for_slips=0)
+
+        def judged(
+            contexts: Sequence[Context], said: Statement, judge: Judge = quick
+        ) -> list[tuple[Outcome, Context]]:
+            return [in_time(judge, said, at, x, limits.until, limits.a_line) for x in contexts]
+
+        found = judged(self.contexts, each)
+        for other, verdict in (
+            (_with_vector(each, self.contexts), UNDECIDED),
+            (_in_body(each) if self.in_body else None, FALSE),
+        ):
+            if other is not None and all(o.verdict == verdict for o, _ in found):
+                again = judged(self.contexts, other)
+                if verdict == UNDECIDED or any(o.passed for o, _ in again):
+                    each, found = other, again
+        place = _best([outcome for outcome, _ in found], self.contexts)
+        outcome = found[place][0]
+        [(named, names)] = judged([self.names], each)
+        if named.passed and not outcome.passed and _is_of_numbers(each):
+            outcome, place = named, 0
+        nearly = bool({*each.relations} & {*NEARLY})
+        if nearly and named.verdict == FALSE and outcome.verdict == UNDECIDED:
+            outcome = named  # what letters are called says already what tends to what
+        if "≠" in each.relations:
+            outcome = next((o for o, _ in found if o.verdict == FALSE), outcome)
+        if outcome.verdict == FALSE and not outcome.slip and not self.believed:
+            searched = judged(self.contexts, each, self.judge)
+            outcome = next((o for o, _ in searched if o.slip), outcome)
+        believed, carried = self.believed, False
+        if believed:
+            in_error = judged(believed, each)
+            believed = tuple(context for _, context in in_error)
+            carried = outcome.verdict == FALSE and any(o.passed for o, _ in in_error)
+        elif outcome.verdict == FALSE:
+            believed = tuple(_believing(context, each) for context in self.contexts)
+        chain = (*self.chain, *each.sides[1:]) if each.continues and self.chain else each.sides
+        sound = self.sound
+        if outcome.passed is not False and outcome.verdict != UNDECIDED:
+            sound = (*sound, *equalities(chain, each))
+        special = bool(outcome.passed) and place == len(self.contexts) - 1
+        lost = self._lost(each) if special else ()
+        made = replace(
+            self,
+            contexts=tuple(context for _, context in found),
+            names=names,
+            believed=believed,
+            sound=sound,
+            chain=chain,
+            lost=tuple(dict.fromkeys((*self.lost, *lost))),
+            carried=carried,
+        )
+        return made, outcome, place
+
+    def _lost(self, each: Statement) -> list[str]:
+        """What a line that follows leaves out that the facts allow, unless that is excluded."""
+        last = self.contexts[-1]
+        excluding = [Statement((x, n.Number("0")), ("=",), 0) for x in last.not_zero]
+        return [
+            f"{branch.lost} is lost"
+            for branch in self.branches
+            if holds_on(each, branch.special, last) is False
+            and not any(holds_on(x, branch.special, last) for x in excluding)
+        ]
+
+
+_BODY = re.compile(
+    r"\b(?:body|rotating|co-?rotating|körper|mitrotieren|mitbewegt|mitgeführt|hauptachsensystem)",
+    re.I,
+)
+"""Words for the frame in which a dot on a vector differentiates its components."""
+
+
+def _in_body(each: Statement) -> Statement | None:
+    """The statement with dots on vectors for the rates of their components in the body."""
+
+    def seen(node: Node) -> Node:
+        match node:
+            case n.Rate(Letter(bold=True), frame=""):
+                return replace(node, frame="body")
+        return node
+
+    sides = tuple(n.mapped(side, seen) for side in each.sides)
+    return replace(each, sides=sides) if sides != each.sides else None
+
+
+def _believing(context: Context, each: Statement) -> Context:
+    """A context in which a wrong line is right, and the laws that it offends are not known."""
+    left, right = each.sides[0], each.sides[-1]
+    kept = tuple(c for c in context.constraints if c.kind == SETTING or c.number >= 0)
+    if isinstance(left, Letter) and left in context.definitions:
+        number = context.definitions[left].number
+        lawless = context.lawless and left not in LAGRANGIANS
+        changed = replace(context, constraints=kept, lawless=lawless)
+        return changed.defining(left, Definition(right, number))
+    laws = tuple(Constraint(a, b, -1, LAW) for a, b in pairwise(each.sides))
+    return replace(context, constraints=(*kept, *laws), lawless=True)
+
+
+def _best(outcomes: Sequence[Outcome], contexts: Sequence[Context]) -> int:
+    """In which context a line does best: it follows, else is set or named, else is wrong.
+
+    What names a letter that another context knows says nothing.
+    """
+    kinds = (DEFINITION, PREMISE, FALSE, UNDECIDED)
+    known = {plain(x) for context in contexts for x in context.given}
+
+    def place(k: int) -> tuple[bool, bool, int, bool]:
+        outcome = outcomes[k]
+        order = kinds.index(outcome.verdict) if outcome.verdict in kinds else len(kinds)
+        return not outcome.passed, bool(outcome.brings & known), order, not outcome.slip
+
+    return min(range(len(outcomes)), key=place)
+
+
+def _is_of_numbers(each: Statement) -> bool:
+    """Whether no vector stands in a statement."""
+    return not any(x.bold for side in each.sides for x in n.letters(side))
+
+
+def _with_habits(context: Context, own: Habits) -> Context:
+    """A context in which the answer's own letters have rates and places too."""
+    habits = context.habits
+    return replace(
+        context,
+        habits=replace(
+            own,
+            moving=habits.moving | own.moving,
+            lengths=habits.lengths | own.lengths - {*context.definitions},
+        ),
+    )
+
+
+def _with_vector(each: Statement, contexts: Sequence[Context]) -> Statement | None:
+    """The statement with a vector on its left side, where the facts know one of that name."""
+    left = each.sides[0]
+    if not isinstance(left, Letter) or left.bold:
+        return None
+    bold = replace(left, bold=True)
+    known = any(bold in context.given for context in contexts)
+    return replace(each, sides=(bold, *each.sides[1:])) if known else None
+
+
+# --- Marks ---------------------------------------------------------------------------------------
+
+_MARKS = {
+    DEFINITION: Mark.DEFINITION,
+    PREMISE: Mark.ASSUMPTION,
+    UNREAD: Mark.UNREAD,
+    UNDECIDED: Mark.INCONCLUSIVE,
+}
+
+
+def _marked(
+    at: int, each: Statement, outcome: Outcome, answer: _Answer, wrong: int, words: str
+) -> Marked:
+    """A line with its mark; `wrong` is the first line that is wrong, if there is one above it."""
+    said = plain(each)
+    if outcome.passed:
+        notes = [f"for {words}" * bool(words), outcome.why]
+        return Marked(at, said, Mark.FOLLOWS, "; ".join(filter(None, notes)))
+    if outcome.verdict != FALSE:
+        return Marked(at, said, _MARKS[outcome.verdict], outcome.why)
+    if not wrong:
+        return Marked(at, said, Mark.WRONG, outcome.why, outcome.slip, outcome.right)
+    if answer.carried:
+        return Marked(
+            at, said, Mark.CARRIED, f"follows from line {wrong}, which does not", behind=wrong
+        )
+    why = f"does not hold either, behind a wrong line: {outcome.why}"
+    return Marked(at, said, Mark.CARRIED, why, outcome.slip, outcome.right)
+
+
+def _marking(lines: tuple[Marked, ...], answer: _Answer, task: Task, until: float) -> Marking:
+    """The whole: whether it arrives, and what the pages have on the way that it has not."""
+
+    contexts = (answer.names, *answer.contexts)
+
+    def reached(together: Together, said: Sequence[Statement]) -> bool:
+        return all(is_reached(each, said, contexts) for each in together)
+
+    arrives = any(reached(together, answer.sound) for together in task.goals)
+    if time.process_time() > until:
+        problem = "" if arrives else "the time for the answer was over"
+        return Marking(lines, arrives, task.name, answer.lost, problem)
+    if not arrives:
+        shown = [
+            k
+            for k, step in enumerate(task.way)
+            if step.statements and all(is_said(x, answer.sound) for x in step.statements)
+        ]
+        following = task.way[shown[-1] + 1 if shown else 0 :]
+        way = "" if not following else f"next on the page {following[0]}"
+        return Marking(lines, False, task.name, answer.lost, way=way)
+    habits = answer.names.habits
+    copied = all(
+        is_trivial(x, habits) or any(reached((x,), goal) for goal in task.goals)
+        for x in answer.sound
+    )
+    way = skipped(len(task.way)) if copied else ""
+    return Marking(lines, True, task.name, answer.lost, way=way)
+
+
+def skipped(count: int) -> str:
+    """That nothing of the way was shown, in words; nothing where there is nothing between."""
+    if count == 0:
+        return ""
+    lie = f"{count} lines of the page lie" if count > 1 else "1 line of the page lies"
+    return f"it shows nothing of the way: {lie} between"

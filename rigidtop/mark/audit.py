@@ -19,8 +19,7 @@ from sympy import Symbol
 from rigidtop.derivations import models
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.mark.audited import LATE, Audited, Placed
-from rigidtop.mark.explain import counterexample
-from rigidtop.mark.links import Link
+from rigidtop.mark.links import Link, counterexample
 from rigidtop.mark.links import judge as judge_in
 from rigidtop.mark.ruling import HOLDS, ORDER, Ruling, any_value, asserted, check_of, judged
 from rigidtop.mark.surroundings import Near, among, scaled

@@ -20,9 +20,10 @@ from pathlib import Path
 from typing import Any
 
 from rigidtop.errors import RigidtopError
+from rigidtop.mark.answer import mark
 from rigidtop.mark.exercise import answered
-from rigidtop.mark.limits import marked
 from rigidtop.mark.marking import Marking
+from rigidtop.mark.task import task
 
 RECORD = "application/vnd.rigidtop.marking+json"
 """The kind of output in which a notebook keeps the record."""
@@ -85,7 +86,7 @@ def answer(line: str, cell: str) -> Answered:
     elif given:
         raise RigidtopError(f"{given[0]}: only an exercise has settings")
     else:
-        found = Answered("", names[0], names[1], marked(cell, names[0], names[1]))
+        found = Answered("", names[0], names[1], mark(cell, task(names[0], names[1])))
     if not found.lines:
         raise RigidtopError("no formula in the cell: put each between $$ and $$")
     if kept is not None:

@@ -18,10 +18,9 @@ from functools import cache
 from rigidtop.derivations import lecture
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.errors import RigidtopError
-from rigidtop.mark.limits import LONGEST, SECONDS, SECONDS_A_LINE, marked
+from rigidtop.mark.answer import LONGEST, SECONDS, SECONDS_A_LINE, mark
 from rigidtop.mark.marking import Mark, Marked, Marking
-from rigidtop.mark.passages import passage
-from rigidtop.mark.slips import Slip
+from rigidtop.mark.task import task
 from rigidtop.parameters import settings
 from rigidtop.proof.exercise import Answer, Exercise
 from rigidtop.proof.units import NUMBER, parsed
@@ -40,12 +39,12 @@ _TURNS = {
 }
 """Units of angles and of their rates, besides those in which they are asked."""
 _FACTORS = {
-    -1.0: ("sign", "its sign"),
-    2.0: ("factor", "a factor 2"),
-    0.5: ("factor", "a factor ½"),
-    2 * math.pi: ("factor", "a factor 2π"),
-    1 / (2 * math.pi): ("factor", "a factor 1/(2π)"),
-    180 / math.pi: ("unit", "degrees for radians"),
+    -1.0: "its sign",
+    2.0: "a factor 2",
+    0.5: "a factor ½",
+    2 * math.pi: "a factor 2π",
+    1 / (2 * math.pi): "a factor 1/(2π)",
+    180 / math.pi: "degrees for radians",
 }
 """What a wrong number is to the right one, and what slip that is."""
 
@@ -77,7 +76,7 @@ def answered(
     if any(match[1] in asked for match in _NAMED.finditer(source)):
         return "", "", _numeric(source, exercise.name, asked)
     ends_here = ends(name)
-    return (*ends_here, marked(source, *ends_here, a_line, altogether))
+    return (*ends_here, mark(source, task(*ends_here), a_line, altogether))
 
 
 def numbers(exercise: Exercise, given: Sequence[str] = ()) -> Mapping[str, Answer]:
@@ -121,7 +120,7 @@ def _ends(goals: Iterable[str]) -> tuple[str, str] | None:
     for goal in goals:
         for start in starts if goal in names else ():
             try:
-                passage(start, goal)
+                task(start, goal)
             except RigidtopError:
                 continue
             return start, goal
@@ -181,7 +180,7 @@ def _marked(at: int, said: str, written: str, asked: Answer) -> Marked:
     if problem and not unit:
         return Marked(at, said, Mark.INCONCLUSIVE, problem)
     if problem:
-        return Marked(at, said, Mark.WRONG, problem, (Slip("unit", problem),))
+        return Marked(at, said, Mark.WRONG, problem, "another unit")
     digits = found["digits"].translate(_PLAIN)
     power = int((found["e"] or found["ten"] or "0").translate(_PLAIN))
     given = float(f"{digits}e{power}")
@@ -189,12 +188,12 @@ def _marked(at: int, said: str, written: str, asked: Answer) -> Marked:
         return Marked(at, said, Mark.INCONCLUSIVE, "give two digits or more")
     last = 10.0 ** (power - len(digits.partition(".")[2]))
     true, count = asked.value / _TURNS.get((unit, asked.unit), 1.0) / last, round(given / last)
-    for factor, (kind, words) in {1.0: ("", ""), **_FACTORS}.items():
+    for factor, words in {1.0: "", **_FACTORS}.items():
         if count not in (round(factor * true), math.trunc(factor * true)):
             continue
         if not words:
             return Marked(at, said, Mark.FOLLOWS, what)
-        return Marked(at, said, Mark.WRONG, f"it is off by {words}", (Slip(kind, words),))
+        return Marked(at, said, Mark.WRONG, f"it is off by {words}", f"off by {words}")
     return Marked(at, said, Mark.WRONG, f"this is not the {what}")
 
 

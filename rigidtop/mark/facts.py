@@ -10,7 +10,7 @@ import sympy
 from sympy import Expr, ImmutableMatrix, MatrixBase, Symbol, eye
 
 from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Definition, Habits
-from rigidtop.judge.jets import TIME, Jet, jets, symbol
+from rigidtop.judge.jets import TIME, Jet, jets, rate, symbol
 from rigidtop.judge.meaning import Meant
 from rigidtop.proof.model import Model
 from rigidtop.theory import symbols as s
@@ -30,7 +30,7 @@ _RATES = (s.phidot, s.thetadot, s.psidot)
 def letter(glyph: Glyph) -> Letter:
     """The letter that a glyph is, without its dots."""
     mark = "hat" if glyph.accent == "hat" else "′" if glyph.prime else ""
-    return Letter(glyph.base, glyph.sub, mark, glyph.bold)
+    return Letter(glyph.base, glyph.sub.replace("−", "-"), mark, glyph.bold)
 
 
 def number(x: Symbol) -> Symbol:
@@ -46,21 +46,40 @@ def number(x: Symbol) -> Symbol:
     return symbol(Jet(letter(glyph), _ORDERS.get(glyph.accent, 0)))
 
 
-def context(model: Model) -> Context:
-    """What a model says: what its letters stand for, how they move, what is special about it."""
+def context(model: Model, declared: frozenset[Letter] = frozenset()) -> Context:
+    """What a model says: what its letters stand for, how they move, what is special about it.
+
+    `declared` are the letters that mean something besides.
+    """
     given = _Given(model)
     moving = given.moving()
-    lengths = frozenset(
-        replace(x, bold=False) for x in given.definitions if x.bold and not x.sub and not x.mark
-    )
     return Context(
-        Habits(moving=moving, lengths=lengths - {*given.definitions}),
+        Habits(moving=moving, lengths=given.lengths()),
         definitions=given.definitions,
         constraints=tuple(given.constraints),
-        letters=frozenset({*given.definitions, *moving, *given.primitive}),
+        letters=given.letters,
+        given=given.letters,
+        declared=declared,
         lawless=not model.along,
+        timeless=model.timeless,
         bases=given.bases(),
     )
+
+
+def special(model: Model) -> tuple[Mapping[Expr, Expr], ...]:
+    """What is special about the motions of a model, to be put in one after the other."""
+    given = _Given(model)
+    moving = given.moving()
+    found: list[Mapping[Expr, Expr]] = []
+    for limit in model.limits:
+        put: dict[Expr, Expr] = {}
+        for x, value in limit.items():
+            [jet], meant = jets(number(x)).values(), sympy.sympify(given.value(value))
+            for order in range(jet.order, 3):
+                put[symbol(replace(jet, order=order))] = meant
+                meant = rate(meant, moving)
+        found.append(put)
+    return tuple(found)
 
 
 class _Given:
@@ -81,7 +100,10 @@ class _Given:
         if self.axes == "body":
             for x, value in zip((s.omega1, s.omega2, s.omega3), _turning(), strict=True):
                 self._hold(number(x), value, LAW)
-        self.primitive = {jet.letter for c in self.constraints for jet in _jets_of(c)}
+        values = [d.node.value for d in self.definitions.values() if isinstance(d.node, Meant)]
+        spoken = {jet.letter for x in values for jet in jets(x).values()}
+        spoken |= {jet.letter for c in self.constraints for jet in _jets_of(c)}
+        self.letters = frozenset(spoken | {*self.definitions} | self.moving() | self.lengths())
 
     def value(self, found: Any) -> Any:
         """A value of the model in the numbers of a world, vectors in space."""
@@ -129,6 +151,11 @@ class _Given:
             jet.letter for x in entries for jet in jets(sympy.sympify(x)).values() if jet.order
         }
         return frozenset(found)
+
+    def lengths(self) -> frozenset[Letter]:
+        """Letters that stand for the length of a vector."""
+        vectors = [x for x in self.definitions if x.bold and not x.sub and not x.mark]
+        return frozenset(replace(x, bold=False) for x in vectors) - {*self.definitions}
 
     def bases(self) -> tuple[MatrixBase, ...]:
         """The axes along which components may be meant: those of the model first."""

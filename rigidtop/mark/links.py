@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import sympy
-from sympy import Expr, MatrixBase, cos, sin
+from sympy import Expr, MatrixBase, Symbol, cos, sin
 
 from rigidtop.proof import decide, floats
 from rigidtop.proof.counterexample import entries
-from rigidtop.proof.equation import NoMeaningError
+from rigidtop.proof.equation import NoMeaningError, Partial
 from rigidtop.proof.model import Model, Sample, samples
 from rigidtop.typeset.text import text
 
@@ -132,3 +132,34 @@ def number_text(found: Any, digits: int = 6) -> str:
     if not found.is_Float:
         return text(found)
     return f"{float(found):.{digits}g}".replace("-", "−")
+
+
+def counterexample(link: Link, verdict: Verdict) -> str:
+    """The motion at which a link fails, in the symbols that stand in it, and its two sides."""
+    assert verdict.at is not None
+    point, meaning = verdict.at.point, verdict.at.meaning
+    typed = sorted(_letters(link), key=str)
+    values = {x: point.get(x, meaning.get(x)) for x in typed}
+    if any(is_matrix(value) for value in values.values()) or link.right is None:
+        values |= point
+    numbers = {x: v for x, v in values.items() if v is not None and not is_matrix(v)}
+    where = ", ".join(f"{text(x)} = {number_text(v)}" for x, v in numbers.items())
+    at, one, other = f"at {where}: " * bool(where), verdict.left, verdict.right
+    left, right = pair_text(one, other), pair_text(other, one)
+    if left == right:
+        left, right = pair_text(one, other, digits=15), pair_text(other, one, digits=15)
+    if link.right is None:
+        return f"{at}the rate is {left}, not 0"
+    return f"{at}the left side is {left}, the right side {right}"
+
+
+def _letters(link: Link) -> set[Expr]:
+    """The letters of a link; a slope is one thing."""
+    todo, found = [link.left, *([] if link.right is None else [link.right])], set[Expr]()
+    while todo:
+        node = todo.pop()
+        if isinstance(node, (Symbol, Partial)):
+            found.add(node)
+        else:
+            todo += [*node] if is_matrix(node) else [*node.args]
+    return found

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from rigidtop.mark import slips
-
 
 class Mark(StrEnum):
     """What becomes of a line."""
@@ -26,13 +24,17 @@ _UNSURE = {Mark.INCONCLUSIVE: "neither shown nor refuted", Mark.UNREAD: "not rea
 
 @dataclass(frozen=True)
 class Marked:
-    """A line of the answer: where it stands in the file, what was read, what became of it."""
+    """A line of the answer: where it stands in the file, what was read, what became of it.
+
+    `slip` is what is wrong with it where one change makes it right, and `right` that line in TeX.
+    """
 
     line: int
     said: str
     mark: Mark
     note: str = ""
-    slips: tuple[slips.Slip, ...] = ()
+    slip: str = ""
+    right: str = ""
     behind: int = 0
     """The wrong line that it follows from, if it does."""
 
@@ -102,7 +104,7 @@ class Marking:
                 "read": line.said,
                 "verdict": line.mark.value,
                 "note": line.note,
-                "slips": [{"kind": slip.kind, "words": slip.words} for slip in line.slips],
+                "slips": [{"words": line.slip, "right": line.right}] if line.slip else [],
             }
             for line in self.lines
         ]

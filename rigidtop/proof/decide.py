@@ -11,10 +11,9 @@ import math
 import random
 from collections.abc import Sequence
 from enum import StrEnum
-from itertools import combinations
 
 import sympy
-from sympy import Expr, Integer, Matrix, Rational, Symbol, cos, sin
+from sympy import Expr, Matrix, Rational, Symbol, cos, sin
 
 from rigidtop.proof import floats
 from rigidtop.proof.confirmation import heard
@@ -116,40 +115,6 @@ def in_digits(
         if not places:
             break
     return found
-
-
-def eliminated(
-    wanted: Expr, given: Sequence[Expr], unknowns: Sequence[Symbol]
-) -> tuple[Expr, Matrix] | None:
-    """What vanishes where `wanted` does because `given` do, all linear in unknowns.
-
-    None where they are not, where what is given says nothing of the unknowns, where numbers show
-    that it does not vanish, or where it is too large to be written.  As many unknowns are
-    eliminated as there are equations; the others stand in what is left.  With it the matrix of
-    slopes, of `given` and in the last row of `wanted`, whose minor was multiplied by.
-
-    >>> a, b, x = sympy.symbols("a b x")
-    >>> eliminated(a + b - 3*x, [a - x, b - 2*x], [a, b])[0], eliminated(a, [b - x], [a, b])
-    (0, None)
-    >>> eliminated(a + b - 4*x, [a - x, b - 2*x], [a, b])
-    """
-    everything = [*given, wanted]
-    slopes = sympy.Matrix([[e.diff(x) for x in unknowns] for e in everything])
-    used = [k for k in range(len(unknowns)) if any(slopes[:-1, k])]
-    if slopes.has(*unknowns) or not any(slopes[-1, k] for k in used):
-        return None
-    for chosen in combinations(used, len(given)):
-        matrix = slopes[:, list(chosen)]
-        none = dict.fromkeys((unknowns[k] for k in chosen), Integer(0))
-        whole = matrix.row_join(sympy.Matrix([e.subs(none) for e in everything]))
-        gaps = [gap for gap in (_gap(whole, attempt) for attempt in range(4)) if gap is not None]
-        if not all(floats.holds("=", gap) for gap in gaps):
-            return None
-        if gaps and len(given) * sympy.count_ops(whole) > MOST_SHOWN:
-            return None
-        if gaps or evidence(matrix[:-1, :].det(method="berkowitz")) is None:
-            return whole.det(method="berkowitz"), matrix
-    return None
 
 
 def _gap(whole: Matrix, attempt: int) -> float | None:

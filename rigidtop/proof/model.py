@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
@@ -16,7 +16,7 @@ import sympy
 from sympy import Expr, Matrix, MatrixBase, Symbol, sin
 
 from rigidtop.proof import floats
-from rigidtop.proof.equation import BODY, Equation, Meaning, NoMeaningError, Rate, value
+from rigidtop.proof.equation import BODY, Meaning, NoMeaningError, Rate, value
 from rigidtop.theory.rates import total_derivative
 from rigidtop.theory.symbols import const
 
@@ -96,36 +96,11 @@ class Model:
             raise NoMeaningError("a rate of a vector, but not as seen from where")
         return rate + self.frame.cross(expression)
 
-    def freed(self, free: Meaning) -> Model:
-        """The model without a value for what is to be told."""
-        return replace(self, meaning={**self.meaning, **free}, branch=())
-
     def symbols(self) -> set[Symbol]:
         """The symbols that have a value here, those of the state among them."""
         named = {x for x in self.meaning if isinstance(x, Symbol)}
         values = [sympy.sympify(v) for v in self.meaning.values()]
         return named | set().union(*(v.free_symbols for v in values)) | {*self.rates, const}
-
-
-@dataclass(frozen=True, eq=False)
-class Passage:
-    """To an equation, from another one.
-
-    `models` are the facts, from the general to the special.  The goal is reached by lines that
-    give its `equations` in the symbols `allowed`, `loose` being a model in which these equations
-    are no identities.  `conserved` is what must be shown to be constant, `given` what is known not
-    to vanish.
-    """
-
-    goal: str
-    models: tuple[Model, ...]
-    loose: Model
-    equations: tuple[Equation, ...]
-    allowed: frozenset[Symbol]
-    conserved: Symbol | None = None
-    given: tuple[Any, ...] = ()
-    start: str = ""
-    families: tuple[tuple[Symbol, ...], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -180,8 +155,3 @@ def number(found: Any) -> Any:
         return found.applyfunc(number)
     found = sympy.sympify(found)
     return found if (found / sympy.pi).is_Rational else sympy.N(found, DIGITS)
-
-
-def unknown(name: str, rows: int, columns: int = 1) -> Matrix:
-    """A matrix, or a column, of which nothing is known."""
-    return Matrix(rows, columns, sympy.symbols(f"{name}_1:{rows * columns + 1}", real=True))

@@ -99,16 +99,16 @@ OTHERS = (
 def test_formulas_without_a_number_are_held_against_the_file(capsys, file, tmp_path, monkeypatch):
     monkeypatch.setenv("COLUMNS", "300")  # the summary in one line
     name = file(OTHERS + MATRIX)
-    assert main(["audit", name]) == 0
+    assert main(["audit", name]) == 1  # of τ_b the lecture says what it is
     told = (
-        "1 numbered equation: 1 convention; 3 other formulas: none could be compared with what "
-        "stands above; 3 say something new"
+        "1 numbered equation: 1 convention; 3 other formulas: 1 compared with what stands above, "
+        "1 wrong; 2 say something new"
     )
     assert told in capsys.readouterr().out
-    assert main(["audit", name, "--json"]) == 0
+    assert main(["audit", name, "--json"]) == 1
     rows = json.loads(capsys.readouterr().out)
     assert [(row["line"], row["passed"]) for row in rows if not row["name"]] == [
-        *((1, None), (1, None), (4, None))
+        *((1, None), (1, None), (4, False))
     ]
     _, source = annotated(name, tmp_path)
     assert told in source

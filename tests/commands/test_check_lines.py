@@ -50,6 +50,20 @@ def test_a_line_that_no_claim_needs_is_judged(course, capsys):
     assert "nothing failed that the notes get right" in out  # of the claims none rests on it
 
 
+def test_each_line_says_what_becomes_of_it_in_worlds(course, capsys):
+    page = add(course, WRONG_REMARK)
+    _, rows = lines(course, capsys)
+    worlds = {row["worlds"] for row in rows if row["file"] == page.name}
+    assert rows[-1]["worlds"] == "undecided"  # its move does not arrive
+    assert {"sampled", "premise"} <= worlds
+    assert "false" not in worlds
+
+
+def test_it_is_said_how_many_lines_are_true_in_worlds(course, capsys):
+    assert main(["check", f"{course}/"]) == 0
+    assert "that are true in every world" in " ".join(capsys.readouterr().out.split())
+
+
 def test_each_display_has_a_verdict_and_its_place(course, capsys):
     page = add(course, WRONG_REMARK)
     code, rows = lines(course, capsys)

@@ -68,7 +68,7 @@ def test_a_number_is_marked_by_its_digits_and_its_unit(written, mark, note):
     assert first.mark == "follows"
     assert found.mark == mark
     assert note in found.note
-    assert bool(found.slips) == (mark == "wrong" and "not the" not in note)
+    assert bool(found.slip) == (mark == "wrong" and "not the" not in note)
 
 
 @given(

@@ -3,8 +3,14 @@
 import pytest
 
 from rigidtop.errors import RigidtopError
+from rigidtop.mark.answer import mark
 from rigidtop.mark.marking import Mark
-from rigidtop.mark.worlds import marking
+from rigidtop.mark.task import task
+
+
+def marking(source, start, goal):
+    return mark(source, task(start, goal))
+
 
 EULER = r"""
 \begin{cases}\lambda_1\dot\omega_1 = (\lambda_1-\lambda_3)\omega_2\omega_3\\
@@ -80,7 +86,7 @@ WRONG = {
 def test_a_wrong_line_is_wrong_and_named(name):
     found = marking(*WRONG[name])
     assert found.first_wrong is not None
-    assert found.first_wrong.slips
+    assert found.first_wrong.slip
     assert not found.passed
 
 

@@ -1,0 +1,226 @@
+"""Whether what was said comes to the same as a statement.
+
+Apart from what letters stand for nothing is known here: a statement is reached if it holds in every
+world in which what was said holds, and not in others besides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from itertools import combinations, pairwise
+
+from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Rational, nan, zoo
+
+from rigidtop.judge import worlds as w
+from rigidtop.judge.context import Context, Habits
+from rigidtop.judge.jets import Jet, jets, rate, symbol
+from rigidtop.judge.judge import EQUALS, NEARLY, has_components
+from rigidtop.judge.meaning import Meaning, Meant, Memory, UnclearError, component_of, pairs, plain
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.statement import Statement
+
+MOST_SIDES = 5
+"""Of a longer chain the last sides are compared with what is to be reached."""
+
+_ALWAYS = frozenset({Letter("π"), Letter("t"), Letter("i"), Letter("e")})
+
+
+def equalities(sides: Sequence[Node], each: Statement) -> list[Statement]:
+    """What a chain that ends with a statement says, two sides at a time."""
+    both = list(combinations(sides[-MOST_SIDES:], 2))
+    found = [replace(each, sides=pair, relations=each.relations[-1:]) for pair in both]
+    return [*found, *(with_root for x in found for with_root in _roots(x))]
+
+
+def _roots(each: Statement) -> list[Statement]:
+    """What a letter with two values says of letters for each: Ω = … ± … of Ω_±."""
+    letter, signs = each.sides[0], any(isinstance(x, n.PlusMinus) for x in n.walked(each.sides[1]))
+    if not signs or not isinstance(letter, Letter) or "±" in letter.sub:
+        return []
+    return [replace(each, sides=(replace(letter, sub=letter.sub + "±"), *each.sides[1:]))]
+
+
+def is_reached(goal: Statement, said: Sequence[Statement], contexts: Iterable[Context]) -> bool:
+    """Whether what was said comes to a statement in one of some contexts."""
+    return any(_comes_to(goal, said, context) for context in contexts)
+
+
+def is_trivial(each: Statement, habits: Habits) -> bool:
+    """Whether a statement holds whatever its letters are."""
+    return holds_on(each, (), Context(habits, lawless=True)) is True
+
+
+def is_said(line: Statement, said: Iterable[Statement]) -> bool:
+    """Whether one of some true statements has a side of another true one, and so says the same."""
+    sides = {_bare(side) for side in line.sides if not isinstance(side, (n.Number, n.Constant))}
+    return any(_bare(side) in sides for each in said for side in each.sides)
+
+
+def _bare(side: Node) -> Node:
+    return n.mapped(side, n.ungrouped)
+
+
+def _comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> bool:
+    own = {x: d for x, d in context.definitions.items() if d.number >= 0}
+    names = _names_in(goal, context)
+    allowed = _spelt(_letters(goal), context) | {*own} | names
+    vectors = {x.base for x in allowed if x.bold and not x.sub}
+    allowed |= {x for each in sound for x in _letters(each) if x.base in vectors and x.sub}
+    said = [each for each in sound if _is_said_in(each, allowed, goal)]
+    if not said:
+        return False
+    named = (_letters(goal) | names) & context.definitions.keys() - own.keys()
+    spoken = frozenset().union(*map(_letters, said)) & named
+    heads = spoken & {_head(goal.sides[0])}
+    # What only the pages on the way to a goal say of its left side is to be said.
+    here = _letters(goal.sides[0]) & named
+    asked = frozenset(x for x in here if not _is_of_model(x, context))
+    scalars = frozenset(x for x in spoken if not x.bold)
+    constant = any(isinstance(side, n.Constant) for side in goal.sides)
+    bases = context.bases if any(map(has_components, (goal, *said))) else ()
+    for free in dict.fromkeys(asked | x for x in (frozenset(), heads, scalars, spoken)):
+        # That a name is constant does not say of what.
+        using = [x for x in said if not constant or not _letters(x) & scalars - free]
+        bare = _without(free, context)
+        for basis in bases or (None,):
+            if _same(goal, using, replace(bare, basis=basis)):
+                return True
+    return False
+
+
+def _without(letters: frozenset[Letter], context: Context) -> Context:
+    """What letters are called, but for some that may be anything of their kind at any time."""
+    kept = {x: d for x, d in context.definitions.items() if x not in letters}
+    for letter in letters:
+        with suppress(UnclearError):
+            value = Meaning(context, Memory()).value(letter)
+            if isinstance(value, MatrixBase) and not letter.bold:
+                entries = [symbol(Jet(letter, 0, (k,))) for k in range(len(value))]
+                made = Meant(ImmutableMatrix(*value.shape, entries))
+                kept[letter] = replace(context.definitions[letter], node=made)
+                for each in {*kept} - letters:
+                    along = component_of(each)
+                    if along.left == letter and along.right in kept:
+                        kept[each] = replace(kept[each], node=along)
+    habits = replace(context.habits, moving=context.habits.moving | letters)
+    return replace(context, definitions=kept, habits=habits, constraints=(), lawless=True)
+
+
+def _is_of_model(letter: Letter, context: Context) -> bool:
+    return isinstance(context.definitions[letter].node, Meant)
+
+
+def _spelt(letters: frozenset[Letter], context: Context) -> frozenset[Letter]:
+    """Some letters, and those by which pages say what they are."""
+    known = frozenset(x for x in letters if x in context.definitions)
+    below = frozenset().union(*(n.letters(context.definitions[x].node) for x in known))
+    return letters if below <= letters else _spelt(letters | below, context)
+
+
+def _names_in(goal: Statement, context: Context) -> frozenset[Letter]:
+    """Names of numbers that are made of nothing but what a statement speaks of."""
+    meaning = Meaning(context, Memory())
+    try:
+        spoken = {x for gap in _gaps(goal, replace(context, definitions={})) for x in _jets(gap)}
+    except UnclearError:
+        return frozenset()
+    names = set()
+    for letter in context.definitions:
+        try:
+            value = meaning.value(letter)
+        except UnclearError:
+            continue
+        if not letter.bold and not isinstance(value, MatrixBase) and _jets(value) <= spoken:
+            names.add(letter)
+    return frozenset(names)
+
+
+def _jets(expression: Expr) -> set[Letter]:
+    return {jet.letter for jet in jets(expression).values()}
+
+
+def _same(goal: Statement, said: Sequence[Statement], context: Context) -> bool | None:
+    """Whether the goal holds where the others do; None where it holds in any case."""
+    try:
+        asked = _gaps(goal, context)
+    except UnclearError:
+        return False
+    given, apart = [], []
+    for each in said:
+        with suppress(UnclearError):
+            given += _gaps(each, context)
+    if any(isinstance(side, n.Constant) for side in goal.sides):
+        given += [slope for gap in given if (slope := rate(gap, context.habits.moving)) != 0]
+    for node in context.not_zero:
+        with suppress(UnclearError):
+            apart.append(Meaning(context, Memory()).scalar(node))
+    flat = plain([*asked, *given, *apart])
+    count = len(asked), len(asked) + len(given)
+    asked, given, apart = flat[: count[0]], flat[count[0] : count[1]], flat[count[1] :]
+    letters = w.symbols_of(flat)
+    if w.found([], letters).holds([(gap, 0 * gap) for gap in asked]):
+        return None
+    here = w.found(given, letters, (), apart)
+    if not here.holds([(gap, 0 * gap) for gap in asked]):
+        return False
+    # Where a product vanishes it may be for another factor.
+    size = Rational(7, 10)
+    return not any(w.found([*given, gap - size], letters, (), apart).count for gap in asked)
+
+
+def holds_on(
+    statement: Statement, special: Sequence[Mapping[Expr, Expr]], context: Context
+) -> bool | None:
+    """Whether a statement holds where something special is put in; None where it has no value."""
+    try:
+        gaps = _gaps(statement, context)
+    except UnclearError:
+        return None
+    for put in special:
+        gaps = [gap.xreplace(dict(put)) for gap in gaps]
+    gaps = [gap for gap in plain(gaps) if gap != 0]
+    if any(gap.has(nan, zoo) for gap in gaps):
+        return None
+    return w.found([], w.symbols_of(gaps)).holds([(gap, 0 * gap) for gap in gaps])
+
+
+def _gaps(statement: Statement, context: Context) -> list[Expr]:
+    """What vanishes where a statement holds, for the upper sign and the lower one."""
+    made: list[Expr] = []
+    for sign in (1, -1):
+        meaning = Meaning(context, Memory(), sign=sign)
+        for left, right in pairwise(statement.sides):
+            if isinstance(right, n.Constant):
+                both = pairs(meaning.rate(meaning.value(left)), Integer(0))
+            else:
+                both = pairs(meaning.value(left), meaning.value(right))
+            made += [a - b for a, b in both]
+    return [gap for gap in dict.fromkeys(made) if gap != 0]
+
+
+def _letters(written_in: Statement | Node) -> frozenset[Letter]:
+    """The letters of a statement, or of a side, for both signs of ±."""
+    sides = written_in.sides if isinstance(written_in, Statement) else (written_in,)
+    written = frozenset().union(*map(n.letters, sides))
+    both = (Meaning(Context(Habits()), sign=sign).named(x) for x in written for sign in (1, -1))
+    return frozenset(both)
+
+
+def _head(node: Node) -> Node:
+    while isinstance(node, (n.Rate, n.Group, n.Call)):
+        node = node.function if isinstance(node, n.Call) else node.of
+    return node
+
+
+def _is_said_in(each: Statement, allowed: frozenset[Letter], goal: Statement) -> bool:
+    """Whether a statement has letters that may stand in the goal, and no derivative but there."""
+    if not {*each.relations} <= {*EQUALS, *NEARLY}:
+        return False
+    derived = (n.Derivative, n.Integral, n.Total)
+    of_goal = any(isinstance(x, derived) for side in goal.sides for x in n.walked(side))
+    if not of_goal and any(isinstance(x, derived) for s in each.sides for x in n.walked(s)):
+        return False
+    return _letters(each) - _ALWAYS <= allowed

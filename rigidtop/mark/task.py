@@ -1,0 +1,308 @@
+"""What an answer has to do: from facts that are given to a goal.
+
+In a lecture both ends are lines of it; the facts are those of its models in which both hold, from
+the general motion to the special one, or, where no model knows them, what its pages start from.  A
+file with laws of one's own, such as a Lagrangian, can stand for a lecture.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+
+from sympy import Expr
+
+from rigidtop.derivations import lecture, models
+from rigidtop.errors import RigidtopError
+from rigidtop.judge.context import LAW, Constraint, Context
+from rigidtop.judge.judge import Judge, Situation
+from rigidtop.judge.outcome import FALSE
+from rigidtop.judge.text import folded, habits_of
+from rigidtop.mark.facts import GIVEN, context, special
+from rigidtop.notation import NOTES, Notation
+from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.model import Model
+from rigidtop.proof.moves import Condition
+from rigidtop.read.statements import statements
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter
+from rigidtop.tree.plain import plain
+from rigidtop.tree.statement import Statement
+from rigidtop.typeset.text import text
+
+Together = tuple[Statement, ...]
+"""Statements that stand in one display."""
+
+NAMING = ("call", "solve")
+"""Moves that say what a letter is."""
+
+_RENAMING = ("put", "rewrite")
+"""Moves behind which a result stands in other letters."""
+
+ALWAYS = frozenset({Letter("π"), Letter("t"), Letter("i"), Letter("e")})
+
+
+@dataclass(frozen=True, eq=False)
+class Subject:
+    """A lecture, models of which each family goes from the general to the special, and letters."""
+
+    lecture: Lecture
+    families: tuple[tuple[Model, ...], ...]
+    notation: Notation
+
+
+@dataclass(frozen=True)
+class Step:
+    """A line of a page on the way, with what it states."""
+
+    file: str
+    at: int
+    statements: Together
+
+    def __str__(self) -> str:
+        said = "; ".join(map(plain, self.statements))
+        return f"({self.file}, line {self.at}): {said}"
+
+
+@dataclass(frozen=True, eq=False)
+class Branch:
+    """Motions that the facts allow besides: what is put in for them, and in words what vanishes."""
+
+    special: tuple[Mapping[Expr, Expr], ...]
+    lost: str
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """Facts, as contexts from the general to the special, and any of some goals to be reached.
+
+    In `names` is only what letters are called, whatever they are made of.  `words` say for what
+    each context holds, if not in general; `way` are the lines of the pages between, if there are
+    pages.
+    """
+
+    contexts: tuple[Context, ...]
+    names: Context
+    goals: tuple[Together, ...]
+    name: str
+    words: tuple[str, ...]
+    branches: tuple[Branch, ...] = ()
+    way: tuple[Step, ...] = ()
+
+
+@cache
+def top() -> Subject:
+    """The lecture on the top."""
+    return Subject(lecture(), models.families(), NOTES)
+
+
+@cache
+def task(start: str, goal: str, subject: Subject | None = None) -> Task:
+    """From one numbered equation, or one claim, of a lecture to another.
+
+    Raises RigidtopError where the lecture does not have them, or does not lead from the one to the
+    other, or no facts are known in which the goal holds.
+    """
+    subject = subject or top()
+    pages = subject.lecture
+    start, goal = start.strip("()"), goal.strip("()")
+    refused = f"no derivation from {start} to {goal} is marked"
+    for name in (start, goal):
+        if name not in pages.names:
+            raise RigidtopError(f"{refused}: no line of the lecture is called {name!r}")
+    if not _leads(start, goal, pages):
+        raise RigidtopError(f"{refused}: the lecture does not lead from the one to the other")
+    results = _results(goal, pages)
+    goals = tuple(stated(id, pages) for id in results)
+    if not goals:
+        raise RigidtopError(f"{refused}: {goal} is where a derivation starts, not where one ends")
+    given = tuple(x for id in pages.names[start] for x in stated(id, pages))
+    names = _names(start, goal, pages)
+    used, contexts = _family(goals, given, names, subject)
+    if not contexts and subject.families:
+        raise RigidtopError(f"{refused}: no model of the collection knows what {goal} is about")
+    contexts = contexts or (_from_pages(start, goal, subject),)
+    # What letters are called holds for whatever they are made of.
+    known = frozenset().union(*(context(model).given for model in used))
+    own = [x for x in names if x.sides[0] not in known]
+    bare = replace(contexts[0], definitions={}, constraints=(), lawless=True, timeless=True)
+    alone = knowing(bare, own)
+    branches = tuple(
+        Branch(special(branch), f"{text(model.lost)} = 0")
+        for model in used[-1:]
+        if model.lost is not None
+        for branch in model.branch
+    )
+    held = tuple(_holding(each, given) for each in contexts)
+    words = tuple(model.words for model in used) or ("",)
+    return Task(held, alone, goals, goal, words, branches, _way(start, results, pages))
+
+
+def task_of(source: str, goal: str) -> Task:
+    """From what a text states, such as a Lagrangian, to a formula in TeX.
+
+    Raises RigidtopError where one of them states nothing.
+    """
+    stated = [x for x in statements(goal) if isinstance(x, Statement) and x.relations]
+    if not stated:
+        raise RigidtopError(f"--to: no equation is read in {goal!r}")
+    _, found = folded(source)
+    if not found.definitions and not found.constraints:
+        raise RigidtopError("--given: no formula of that file says what an answer could use")
+    spoken = frozenset(found.definitions) | found.letters
+    bare = Context(found.habits, letters=spoken, given=spoken, lawless=True, timeless=True)
+    return Task((replace(found, given=spoken),), bare, (tuple(stated),), goal, ("",))
+
+
+# --- Goals ---------------------------------------------------------------------------------------
+
+
+def stated(id: str, pages: Lecture) -> Together:
+    """What a line of a page states."""
+    return tuple(x for x in statements(_written(pages)[id]) if isinstance(x, Statement))
+
+
+@cache
+def _written(pages: Lecture) -> dict[str, str]:
+    return {x.line.id: x.latex for page in pages.texts for x in page.shown if x.line}
+
+
+def _results(goal: str, pages: Lecture) -> tuple[str, ...]:
+    """What the lecture derives under a number, or under a name and uses no more there."""
+    lines = [pages.lines[id] for id in pages.names[goal] if id not in pages.laws]
+    numbered = [line for line in lines if any(e.tag == goal for e in line.equations)]
+    derived = [line for line in lines if line.move is not None and line.move.verb != "call"]
+    used = {
+        id
+        for line in derived
+        if line.move is not None and line.move.verb not in _RENAMING
+        for id in pages.cites(line.id)
+    }
+    results = [line for line in derived if line.id not in used]
+    return tuple(line.id for line in numbered or results)
+
+
+def _leads(start: str, goal: str, pages: Lecture) -> bool:
+    """Whether the goal rests on the start, or stands behind it on the same page."""
+    first, last = pages.names[start], pages.names[goal]
+    if first == last:
+        return False
+    if any({*first} & {*pages.above(id)} for id in last):
+        return True
+    lines = list(pages.lines)
+    same_page = pages.lines[first[0]].file == pages.lines[last[0]].file
+    return same_page and lines.index(first[-1]) < lines.index(last[0])
+
+
+def _way(start: str, results: Sequence[str], pages: Lecture) -> tuple[Step, ...]:
+    """The lines of the pages that rest on the start and that the goal rests on."""
+    above = {x for id in results for x in pages.above(id)}
+    below = {x for id in pages.names[start] for x in pages.below(id)}
+    ids = (above & below) - {*pages.names[start], *results}
+    return tuple(
+        Step(line.file, line.at, stated(id, pages)) for id, line in pages.lines.items() if id in ids
+    )
+
+
+# --- Facts ---------------------------------------------------------------------------------------
+
+
+def _family(
+    goals: Sequence[Together], given: Together, names: Sequence[Statement], subject: Subject
+) -> tuple[tuple[Model, ...], tuple[Context, ...]]:
+    """The models, and what they say, up to the most general one for both ends.
+
+    The best is one in which a goal holds and the start too; what knows the start alone will do.
+    """
+    declared = frozenset().union(*(context(x).given for each in subject.families for x in each))
+    spoken = frozenset().union(*(letters(x) for together in goals for x in together)) - ALWAYS
+    found: list[tuple[tuple[bool, int, int, int], tuple[Model, ...], tuple[Context, ...]]] = []
+    for family in subject.families:
+        contexts = tuple(knowing(context(model, declared), names) for model in family)
+        for k, each in enumerate(contexts):
+            begins = _holds(given, each)
+            ends = sum(_holds(together, each) for together in goals)
+            if begins or ends:
+                rank = (not (begins and ends), -ends, len(spoken - each.given), k)
+                found.append((rank, family[: k + 1], contexts[: k + 1]))
+    return min(found, key=lambda x: x[0])[1:] if found else ((), ())
+
+
+def _names(start: str, goal: str, pages: Lecture) -> list[Statement]:
+    """What pages call a letter, or solve for it, on the way to a goal or as a part of it.
+
+    What comes of something that they set on the way is no name.
+    """
+    wanted = {*pages.names[goal]}
+    wanted |= {x for id in wanted for x in pages.above(id)}
+    usual = {condition for id in pages.names[start] for condition in _set(id, pages)}
+    found: list[Statement] = []
+    for id, line in pages.lines.items():
+        named = id in wanted and line.move is not None and line.move.verb in NAMING
+        if named and _set(id, pages) <= usual:
+            found += stated(id, pages)
+    return [x for x in found if x.relations[:1] == ("=",) and isinstance(x.sides[0], Letter)]
+
+
+def _set(id: str, pages: Lecture) -> set[Condition]:
+    """What has been set for a line."""
+    return {c for c in pages.judged(id).known.conditions if c.relation == "="}
+
+
+def knowing(known: Context, names: Iterable[Statement]) -> Context:
+    """A context with letters that it does not have, and which are said to be something in it."""
+    judge = Judge(left_for_slips=0)
+    for each in names:
+        head = each.sides[0]
+        assert isinstance(head, Letter)
+        first = replace(each, sides=each.sides[:2], relations=each.relations[:1])
+        if head not in known.definitions and letters(first) - {head} - ALWAYS <= known.given:
+            known = replace(known, given=known.given - {head})
+            _, known = judge.judged(first, Situation(GIVEN, closed=True), known)
+            if head in known.definitions:
+                known = replace(known, given=known.given | {head})
+    return known
+
+
+def _holds(together: Sequence[Statement], known: Context) -> bool:
+    """Whether a context knows all letters of some statements, and all of these follow in it."""
+    if not together or any(letters(each) - known.given - ALWAYS for each in together):
+        return False
+    judge, at = Judge(left_for_slips=0), Situation(GIVEN, closed=True)
+    return all(judge.judged(each, at, known)[0].passed for each in together)
+
+
+def _holding(known: Context, given: Together) -> Context:
+    """A context in which what stands at the start holds, unless it is wrong there."""
+    judge, at = Judge(left_for_slips=0), Situation(GIVEN, closed=True)
+    for each in given:
+        if letters(each) - known.given - ALWAYS:
+            continue
+        outcome, _ = judge.judged(each, at, known)
+        if outcome.passed is None and outcome.verdict != FALSE:
+            for left, right in zip(each.sides, each.sides[1:], strict=False):
+                known = known.holding(Constraint(left, right, GIVEN, LAW))
+    return known
+
+
+def _from_pages(start: str, goal: str, subject: Subject) -> Context:
+    """What the pages start from on their way to a goal: laws, names and the start itself."""
+    pages = subject.lecture
+    wanted = {x for name in (start, goal) for id in pages.names[name] for x in pages.above(id)}
+    wanted |= {*pages.names[start]}
+    lines = [
+        line
+        for id, line in pages.lines.items()
+        if id in wanted
+        and (line.move is None or line.move.verb == "call" or id in pages.names[start])
+    ]
+    stated = [x for line in lines for x in stated(line.id, pages) if x.relations]
+    known, judge = Context(habits_of(stated)), Judge(left_for_slips=0)
+    for number, each in enumerate(stated):
+        _, known = judge.judged(each, Situation(GIVEN - 1 - number), known)
+    return replace(known, given=known.letters)
+
+
+def letters(statement: Statement) -> frozenset[Letter]:
+    return frozenset().union(*map(n.letters, statement.sides))

@@ -1,0 +1,89 @@
+"""Kinds of lines that students write, each marked as a lecturer would."""
+
+import pytest
+
+from rigidtop.mark.answer import mark
+from rigidtop.mark.task import task
+
+RIGHT = {
+    "tensor times column": (
+        "3.42 3.43",
+        r"$$\vec L=\begin{pmatrix}\lambda_1&0&0\\0&\lambda_1&0\\0&0&\lambda_3\end{pmatrix}"
+        r"\begin{pmatrix}-\dot\phi\sin\theta\\\dot\theta\\\dot\psi+\dot\phi\cos\theta\end{pmatrix}"
+        r"=\begin{pmatrix}-\lambda_1\dot\phi\sin\theta\\\lambda_1\dot\theta\\"
+        r"\lambda_3(\dot\psi+\dot\phi\cos\theta)\end{pmatrix}$$",
+    ),
+    "unit vectors in a determinant, a dot seen from the body": (
+        "3.35 3.36",
+        r"In the body frame $\dot{\mathbf L}+\boldsymbol\omega\times\mathbf L=0$ with "
+        r"$$\boldsymbol\omega\times\mathbf L=\begin{vmatrix}\mathbf e_1&\mathbf e_2&\mathbf e_3\\"
+        r"\omega_1&\omega_2&\omega_3\\"
+        r"\lambda_1\omega_1&\lambda_2\omega_2&\lambda_3\omega_3\end{vmatrix}$$"
+        r"$$\lambda_1\dot\omega_1=(\lambda_2-\lambda_3)\omega_2\omega_3,\quad"
+        r"\lambda_2\dot\omega_2=(\lambda_3-\lambda_1)\omega_3\omega_1,\quad"
+        r"\lambda_3\dot\omega_3=(\lambda_1-\lambda_2)\omega_1\omega_2$$",
+    ),
+    "a name behind a constant": (
+        "3.53 3.56",
+        r"$$\lambda_3(\dot\psi+\dot\phi\cos\theta)=\text{const}\equiv p_\psi$$",
+    ),
+}
+
+
+@pytest.mark.parametrize(("ends", "source"), RIGHT.values(), ids=RIGHT)
+def test_a_right_answer_passes(ends, source):
+    assert mark(source, task(*ends.split())).passed
+
+
+def test_a_component_is_what_its_vector_is_along_that_axis():
+    source = "$L_{{1'}}=-\\lambda_1\\dot\\phi\\sin\\theta$\n\n$L_{{2'}}={}\\dot\\theta$"
+    ends = task("3.42", "3.43")
+    assert mark(source.format(r"\lambda_1"), ends).first_wrong is None
+    assert mark(source.format(r"\lambda_3"), ends).first_wrong.line == 3
+
+
+def test_values_at_the_start_may_stand_in_a_chain():
+    source = "$\\omega_1(0)=\\omega_3(0)=0$, $\\omega_2(0)=w$."
+    assert mark(source, task("3.36", "principal-stays")).first_wrong is None
+
+
+def test_a_value_may_stand_before_its_condition():
+    source = "$$\\dot\\phi=\\frac{L_z-L_3\\cos\\theta}{\\lambda_1\\sin^2\\theta}$$\n"
+    source += "$\\dot\\phi=0$ for $\\cos\\theta=L_z/L_3$."
+    assert mark(source, task("3.45", "azimuth")).first_wrong is None
+
+
+@pytest.mark.parametrize(("factor", "right"), [("1", True), ("2", False)])
+def test_what_is_nearly_true_for_something_large_is_refuted_too(factor, right):
+    source = "For large $\\omega_3$\n$$\\Omega_+\\approx\\frac{\\lambda_3\\omega_3}"
+    source += f"{{{factor}\\lambda_1\\cos\\theta}}$$"
+    assert (mark(source, task("3.57", "two-roots")).first_wrong is None) == right
+
+
+@pytest.mark.parametrize(("sign", "right"), [("-", True), ("", False)])
+def test_what_is_much_smaller_is_small_together(sign, right):
+    source = "$\\omega_1,\\omega_2\\ll\\omega_3$, so $\\omega_3\\approx$ const.\n$$\\ddot\\omega_1"
+    source += f"\\approx{sign}\\frac{{(\\lambda_2-\\lambda_3)(\\lambda_1-\\lambda_3)}}"
+    source += "{\\lambda_1\\lambda_2}\\omega_3^2\\omega_1$$"
+    found = mark(source, task("3.36", "axis-stability"))
+    assert (found.first_wrong is None) == right
+    assert found.lines[-2].mark == "follows"
+
+
+@pytest.mark.parametrize(
+    ("ends", "source", "slip"),
+    [
+        (
+            "3.53 3.55",
+            r"$$p_\phi=\lambda_1\dot\phi\sin\theta+\lambda_3(\dot\psi+\dot\phi\cos\theta)\cos\theta$$",
+            "sin² θ in place of sin θ",
+        ),
+        (
+            "3.53 3.54",
+            r"$$\frac{\partial L}{\partial\dot\theta}=2\lambda_1\dot\theta$$",
+            "no factor 2",
+        ),
+    ],
+)
+def test_a_slip_is_named_by_what_was_written(ends, source, slip):
+    assert mark(source, task(*ends.split())).first_wrong.slip == slip
