@@ -368,6 +368,15 @@ def test_an_answer_is_marked_by_a_collection_of_ones_own(own, capsys):
     assert "are not marked" in capsys.readouterr().err
 
 
+def test_without_models_an_answer_is_marked_by_what_the_pages_start_from(tmp_path, capsys):
+    answer, ends = tmp_path / "answer.md", ["--from", "1.1", "--to", "from-energy"]
+    answer.write_text("$$\\ddot\\theta + \\frac gl\\sin\\theta = 0$$\n", "utf-8")
+    assert main(["mark", str(STARTER), str(answer), *ends]) == 0
+    answer.write_text("$$\\ddot\\theta - \\frac gl\\sin\\theta = 0$$\n", "utf-8")
+    assert main(["mark", str(STARTER), str(answer), *ends]) == 1
+    assert "another sign before" in capsys.readouterr().out
+
+
 def test_a_letter_of_the_lecture_is_known_where_it_is_used(tmp_path):
     init = PAGE + "from rigidtop.theory.symbols import lambda1\nPAGES = (page,)"
     glyphs = load(course(tmp_path, init)).notation.glyphs

@@ -29,7 +29,7 @@ from rigidtop.judge.text import (
     read_text,
     situation,
 )
-from rigidtop.mark.arrival import equalities, holds_on, is_reached, is_said, is_trivial
+from rigidtop.mark.arrival import equalities, head, holds_on, is_reached, is_said, is_trivial
 from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.task import Branch, Task, Together
 from rigidtop.read.document import problems
@@ -160,7 +160,7 @@ def _only_there(k: int, read: Read) -> str:
 def _in_letters_of(each: Statement, read: Read, facts: Sequence[Context]) -> Statement:
     """The statement in the letters of the facts: e₃ for the vector, ℒ for L with a derivative."""
     known = frozenset().union(*(context.letters for context in facts))
-    written = {_head(x.sides[0]) for _, x in read if isinstance(x, Statement)}
+    written = {head(x.sides[0]) for _, x in read if isinstance(x, Statement)}
     differentiated = {
         n.ungrouped(x.of)
         for _, other in read
@@ -185,12 +185,6 @@ def _in_letters_of(each: Statement, read: Read, facts: Sequence[Context]) -> Sta
         return node
 
     return replace(each, sides=tuple(n.mapped(side, change) for side in each.sides))
-
-
-def _head(node: Node) -> Node:
-    while isinstance(node, (n.Rate, n.Group, n.Call)):
-        node = node.function if isinstance(node, n.Call) else node.of
-    return node
 
 
 # --- The fold ------------------------------------------------------------------------------------

@@ -18,14 +18,13 @@ from rigidtop.judge.context import Context, Habits
 from rigidtop.judge.jets import Jet, jets, rate, symbol
 from rigidtop.judge.judge import EQUALS, NEARLY, has_components
 from rigidtop.judge.meaning import Meaning, Meant, Memory, UnclearError, component_of, pairs, plain
+from rigidtop.mark.task import ALWAYS
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.statement import Statement
 
 MOST_SIDES = 5
 """Of a longer chain the last sides are compared with what is to be reached."""
-
-_ALWAYS = frozenset({Letter("π"), Letter("t"), Letter("i"), Letter("e")})
 
 
 def equalities(sides: Sequence[Node], each: Statement) -> list[Statement]:
@@ -74,7 +73,7 @@ def _comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> 
         return False
     named = (_letters(goal) | names) & context.definitions.keys() - own.keys()
     spoken = frozenset().union(*map(_letters, said)) & named
-    heads = spoken & {_head(goal.sides[0])}
+    heads = spoken & {head(goal.sides[0])}
     # What only the pages on the way to a goal say of its left side is to be said.
     here = _letters(goal.sides[0]) & named
     asked = frozenset(x for x in here if not _is_of_model(x, context))
@@ -209,7 +208,8 @@ def _letters(written_in: Statement | Node) -> frozenset[Letter]:
     return frozenset(both)
 
 
-def _head(node: Node) -> Node:
+def head(node: Node) -> Node:
+    """What is differentiated, grouped or called on a side, to its innermost."""
     while isinstance(node, (n.Rate, n.Group, n.Call)):
         node = node.function if isinstance(node, n.Call) else node.of
     return node
@@ -223,4 +223,4 @@ def _is_said_in(each: Statement, allowed: frozenset[Letter], goal: Statement) ->
     of_goal = any(isinstance(x, derived) for side in goal.sides for x in n.walked(side))
     if not of_goal and any(isinstance(x, derived) for s in each.sides for x in n.walked(s)):
         return False
-    return _letters(each) - _ALWAYS <= allowed
+    return _letters(each) - ALWAYS <= allowed

@@ -17,7 +17,7 @@ from rigidtop.judge.judge import EQUALS, NEARLY, Judge, Situation
 from rigidtop.judge.outcome import FALSE, SAMPLED, Outcome
 from rigidtop.judge.text import Row, in_time
 from rigidtop.mark.facts import context
-from rigidtop.mark.task import ALWAYS, NAMING, Subject, knowing, letters, stated
+from rigidtop.mark.task import ALWAYS, Subject, bare, knowing, letters, names
 from rigidtop.proof.counterexample import entries
 from rigidtop.proof.equation import NoMeaningError
 from rigidtop.proof.lecture import Lecture
@@ -57,9 +57,9 @@ def _by_models(
     at = replace(at, closed=True)
     quick = Judge(judge.memory, left_for_slips=0)
     refuting = []
-    models, names = contexts(subject)
+    models, alone = contexts(subject)
     # Where only names are known, the axes of no frame are.
-    for known in models if any(x.bold for x in letters(each)) else (*models, *names):
+    for known in models if any(x.bold for x in letters(each)) else (*models, *alone):
         if letters(each) - ALWAYS <= known.given:
             outcome, _ = in_time(quick, each, at, known, until, A_FORMULA)
             if outcome.passed:
@@ -95,19 +95,15 @@ def contexts(subject: Subject) -> tuple[tuple[Context, ...], tuple[Context, ...]
     """What each model says with what the lecture calls its letters, and the latter alone."""
     models, alone = [], []
     for model in (model for family in subject.families for model in family):
-        names = [
+        called = [
             x
-            for id, line in subject.lecture.lines.items()
-            if line.move is not None and line.move.verb in NAMING
+            for id in subject.lecture.lines
+            for x in names(id, subject.lecture)
             if _holds_what_is_set(id, model, subject.lecture)
-            for x in stated(id, subject.lecture)
-            if x.relations[:1] == ("=",) and isinstance(x.sides[0], Letter)
         ]
         known = context(model)
-        own = [x for x in names if x.sides[0] not in known.given]
-        bare = replace(known, definitions={}, constraints=(), lawless=True, timeless=True)
-        models.append(knowing(known, names))
-        alone.append(knowing(bare, own))
+        models.append(knowing(known, called))
+        alone.append(knowing(bare(known), [x for x in called if x.sides[0] not in known.given]))
     return tuple(models), tuple(alone)
 
 

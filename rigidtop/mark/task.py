@@ -34,7 +34,7 @@ from rigidtop.typeset.text import text
 Together = tuple[Statement, ...]
 """Statements that stand in one display."""
 
-NAMING = ("call", "solve")
+_NAMING = ("call", "solve")
 """Moves that say what a letter is."""
 
 _RENAMING = ("put", "rewrite")
@@ -118,16 +118,15 @@ def task(start: str, goal: str, subject: Subject | None = None) -> Task:
     if not goals:
         raise RigidtopError(f"{refused}: {goal} is where a derivation starts, not where one ends")
     given = tuple(x for id in pages.names[start] for x in stated(id, pages))
-    names = _names(start, goal, pages)
-    used, contexts = _family(goals, given, names, subject)
+    called = _names(start, goal, pages)
+    used, contexts = _family(goals, given, called, subject)
     if not contexts and subject.families:
         raise RigidtopError(f"{refused}: no model of the collection knows what {goal} is about")
     contexts = contexts or (_from_pages(start, goal, subject),)
     # What letters are called holds for whatever they are made of.
     known = frozenset().union(*(context(model).given for model in used))
-    own = [x for x in names if x.sides[0] not in known]
-    bare = replace(contexts[0], definitions={}, constraints=(), lawless=True, timeless=True)
-    alone = knowing(bare, own)
+    own = [x for x in called if x.sides[0] not in known]
+    alone = knowing(bare(contexts[0]), own)
     branches = tuple(
         Branch(special(branch), f"{text(model.lost)} = 0")
         for model in used[-1:]
@@ -151,8 +150,8 @@ def task_of(source: str, goal: str) -> Task:
     if not found.definitions and not found.constraints:
         raise RigidtopError("--given: no formula of that file says what an answer could use")
     spoken = frozenset(found.definitions) | found.letters
-    bare = Context(found.habits, letters=spoken, given=spoken, lawless=True, timeless=True)
-    return Task((replace(found, given=spoken),), bare, (tuple(stated),), goal, ("",))
+    known = replace(found, given=spoken)
+    return Task((known,), bare(known), (tuple(stated),), goal, ("",))
 
 
 # --- Goals ---------------------------------------------------------------------------------------
@@ -237,17 +236,32 @@ def _names(start: str, goal: str, pages: Lecture) -> list[Statement]:
     wanted = {*pages.names[goal]}
     wanted |= {x for id in wanted for x in pages.above(id)}
     usual = {condition for id in pages.names[start] for condition in _set(id, pages)}
-    found: list[Statement] = []
-    for id, line in pages.lines.items():
-        named = id in wanted and line.move is not None and line.move.verb in NAMING
-        if named and _set(id, pages) <= usual:
-            found += stated(id, pages)
-    return [x for x in found if x.relations[:1] == ("=",) and isinstance(x.sides[0], Letter)]
+    return [
+        x
+        for id in pages.lines
+        if id in wanted and _set(id, pages) <= usual
+        for x in names(id, pages)
+    ]
+
+
+def names(id: str, pages: Lecture) -> Together:
+    """What a line says of a letter that it calls something, or for which it solves."""
+    move = pages.lines[id].move
+    if move is None or move.verb not in _NAMING:
+        return ()
+    return tuple(
+        x for x in stated(id, pages) if x.relations[:1] == ("=",) and isinstance(x.sides[0], Letter)
+    )
 
 
 def _set(id: str, pages: Lecture) -> set[Condition]:
     """What has been set for a line."""
     return {c for c in pages.judged(id).known.conditions if c.relation == "="}
+
+
+def bare(known: Context) -> Context:
+    """A context with the same letters, of which nothing is known, nor of time."""
+    return replace(known, definitions={}, constraints=(), lawless=True, timeless=True)
 
 
 def knowing(known: Context, names: Iterable[Statement]) -> Context:
@@ -297,12 +311,13 @@ def _from_pages(start: str, goal: str, subject: Subject) -> Context:
         if id in wanted
         and (line.move is None or line.move.verb == "call" or id in pages.names[start])
     ]
-    stated = [x for line in lines for x in stated(line.id, pages) if x.relations]
-    known, judge = Context(habits_of(stated)), Judge(left_for_slips=0)
-    for number, each in enumerate(stated):
+    premises = [x for line in lines for x in stated(line.id, pages) if x.relations]
+    known, judge = Context(habits_of(premises)), Judge(left_for_slips=0)
+    for number, each in enumerate(premises):
         _, known = judge.judged(each, Situation(GIVEN - 1 - number), known)
     return replace(known, given=known.letters)
 
 
 def letters(statement: Statement) -> frozenset[Letter]:
+    """The letters of a statement."""
     return frozenset().union(*map(n.letters, statement.sides))
