@@ -144,7 +144,7 @@ class Meaning:
         places = self.context.habits.functions.get(letter)
         if places is not None and not _is_time(places):
             return self._unknown(letter, places)
-        component = self._component(letter)
+        component = self.component(letter)
         if component is not None:
             return component
         vector = replace(letter, bold=True)
@@ -204,7 +204,7 @@ class Meaning:
         function = sympy.Function(function_name(letter), real=True)
         return function(*(self.scalar(x) for x in places))
 
-    def _component(self, letter: Letter) -> Expr | None:
+    def component(self, letter: Letter) -> Expr | None:
         """v_x or ω_1 where the vector of that letter has a value in other letters.
 
         Along an axis that is given, it is so for ω_1′ whatever the vector stands for.
@@ -335,7 +335,7 @@ class Meaning:
         node = self.chosen.get(function) or (definition.node if definition else None)
         if node is None or self._has_rates(node):
             return self
-        momenta = {x for x in n.letters(node) if self._is_momentum(x)}
+        momenta = {x for x in n.letters(node) if self.is_momentum(x)}
         return self.with_(held=self.held | momenta) if momenta else self
 
     def _has_rates(self, node: Node) -> bool:
@@ -345,10 +345,10 @@ class Meaning:
         return any(
             definition.node is not node and self._has_rates(definition.node)
             for x, definition in definitions.items()
-            if definition is not None and not self._is_momentum(x) and self.depth < 8
+            if definition is not None and not self.is_momentum(x) and self.depth < 8
         )
 
-    def _is_momentum(self, letter: Letter) -> bool:
+    def is_momentum(self, letter: Letter) -> bool:
         """Whether it stands for something that has rates, and is one number of the state itself."""
         definition = self.definition(letter)
         if definition is None or letter.base not in ("p", "P", "π", "J", "ℓ", "l", "D", "S"):

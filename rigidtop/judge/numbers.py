@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from decimal import Decimal
 from itertools import pairwise
 
@@ -9,7 +10,9 @@ import sympy
 from sympy import Expr
 
 from rigidtop.judge.jets import TIME, jets
+from rigidtop.judge.outcome import FALSE, SAMPLED, UNDECIDED, Outcome
 from rigidtop.tree import nodes as n
+from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Node
 
 
@@ -29,6 +32,25 @@ def agree(left: Expr, right: Expr, digits: float) -> bool | None:
     if ratio.free_symbols:
         return None
     return bool(abs(complex(sympy.N(ratio)) - 1) <= digits)
+
+
+def compared(
+    left: Node,
+    right: Node,
+    meant: Sequence[tuple[Expr, Expr]],
+    rests_on: frozenset[int] = frozenset(),
+    nearly: bool = False,
+) -> Outcome:
+    """Whether both sides, which mean numbers, agree to the digits with which they are written."""
+    digits = max(share(left, nearly), share(right, nearly), 1e-12)
+    answers = [agree(*pair, digits) for pair in meant]
+    if all(answers):
+        return Outcome(SAMPLED, "", rests_on)
+    if None in answers:
+        return Outcome(UNDECIDED, "the units of both sides do not fit", rests_on)
+    value = rounded(meant[0][0], right)
+    why = f"the left side is {value}"
+    return Outcome(FALSE, why, rests_on, "another number", f"{latex(left)} ≈ {value}")
 
 
 def share(node: Node, nearly: bool = False) -> float:

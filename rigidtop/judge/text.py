@@ -11,10 +11,11 @@ from math import inf
 from typing import Final
 
 from rigidtop.judge.context import Context, Habits
-from rigidtop.judge.judge import Judge, Situation
+from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import ENERGIES, LAGRANGIANS
 from rigidtop.judge.meaning import is_component
 from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
+from rigidtop.judge.situation import Situation
 from rigidtop.read.cues import Cue
 from rigidtop.read.declared import declared
 from rigidtop.read.macros import Macros, defined

@@ -16,9 +16,12 @@ from itertools import pairwise
 
 from rigidtop.errors import RigidtopError
 from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Definition, Habits
-from rigidtop.judge.judge import NEARLY, Judge, Situation
+from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import LAGRANGIANS
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, UNREAD, Outcome
+from rigidtop.judge.question import Patience
+from rigidtop.judge.sides import NEARLY
+from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import (
     Read,
     declared_letters,
@@ -226,7 +229,7 @@ class _Answer:
     ) -> tuple[_Answer, Outcome, int]:
         """What is known behind the next line, what becomes of it, and in which context."""
 
-        quick = Judge(self.judge.memory, left_for_slips=0)
+        quick = Judge(self.judge.memory, patience=Patience(0))
 
         def judged(
             contexts: Sequence[Context], said: Statement, judge: Judge = quick

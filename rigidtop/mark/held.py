@@ -13,8 +13,11 @@ from dataclasses import replace
 from functools import cache
 
 from rigidtop.judge.context import Context
-from rigidtop.judge.judge import EQUALS, NEARLY, Judge, Situation
+from rigidtop.judge.judge import Judge
 from rigidtop.judge.outcome import FALSE, SAMPLED, Outcome
+from rigidtop.judge.question import Patience
+from rigidtop.judge.sides import EQUALS, NEARLY
+from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import Row, in_time
 from rigidtop.mark.facts import context
 from rigidtop.mark.task import ALWAYS, Subject, bare, knowing, letters, names
@@ -55,7 +58,7 @@ def _by_models(
 ) -> Outcome | None:
     """That a formula holds in a model that knows its letters, or what is wrong in all of them."""
     at = replace(at, closed=True)
-    quick = Judge(judge.memory, left_for_slips=0)
+    quick = Judge(judge.memory, patience=Patience(0))
     refuting = []
     models, alone = contexts(subject)
     # Where only names are known, the axes of no frame are.

@@ -16,8 +16,10 @@ from sympy import Expr
 from rigidtop.derivations import lecture, models
 from rigidtop.errors import RigidtopError
 from rigidtop.judge.context import LAW, Constraint, Context
-from rigidtop.judge.judge import Judge, Situation
+from rigidtop.judge.judge import Judge
 from rigidtop.judge.outcome import FALSE
+from rigidtop.judge.question import Patience
+from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import folded, habits_of
 from rigidtop.mark.facts import GIVEN, context, special
 from rigidtop.notation import NOTES, Notation
@@ -266,7 +268,7 @@ def bare(known: Context) -> Context:
 
 def knowing(known: Context, names: Iterable[Statement]) -> Context:
     """A context with letters that it does not have, and which are said to be something in it."""
-    judge = Judge(left_for_slips=0)
+    judge = Judge(patience=Patience(0))
     for each in names:
         head = each.sides[0]
         assert isinstance(head, Letter)
@@ -283,13 +285,13 @@ def _holds(together: Sequence[Statement], known: Context) -> bool:
     """Whether a context knows all letters of some statements, and all of these follow in it."""
     if not together or any(letters(each) - known.given - ALWAYS for each in together):
         return False
-    judge, at = Judge(left_for_slips=0), Situation(GIVEN, closed=True)
+    judge, at = Judge(patience=Patience(0)), Situation(GIVEN, closed=True)
     return all(judge.judged(each, at, known)[0].passed for each in together)
 
 
 def _holding(known: Context, given: Together) -> Context:
     """A context in which what stands at the start holds, unless it is wrong there."""
-    judge, at = Judge(left_for_slips=0), Situation(GIVEN, closed=True)
+    judge, at = Judge(patience=Patience(0)), Situation(GIVEN, closed=True)
     for each in given:
         if letters(each) - known.given - ALWAYS:
             continue
@@ -312,7 +314,7 @@ def _from_pages(start: str, goal: str, subject: Subject) -> Context:
         and (line.move is None or line.move.verb == "call" or id in pages.names[start])
     ]
     premises = [x for line in lines for x in stated(line.id, pages) if x.relations]
-    known, judge = Context(habits_of(premises)), Judge(left_for_slips=0)
+    known, judge = Context(habits_of(premises)), Judge(patience=Patience(0))
     for number, each in enumerate(premises):
         _, known = judge.judged(each, Situation(GIVEN - 1 - number), known)
     return replace(known, given=known.letters)

@@ -1,0 +1,117 @@
+"""Sides that are said to be nearly equal: for what small or large thing do they become alike?"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from rigidtop.judge import definitions
+from rigidtop.judge.context import LINEAR
+from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, Slip, slip
+from rigidtop.judge.jets import jets
+from rigidtop.judge.numbers import are_numbers, compared
+from rigidtop.judge.orders import Scaling, differ, nearly, scalings, small_together
+from rigidtop.judge.outcome import ASSUMING, FALSE, UNDECIDED, Outcome
+from rigidtop.judge.question import Judgement, Pair, Question
+from rigidtop.judge.worlds import Worlds
+from rigidtop.tree.plain import plain as in_words
+
+
+def judged(question: Question) -> Judgement:
+    """The outcome of ≈; raises UnclearError."""
+    defined = definitions.definition(question, question.left, question.right)
+    if defined is not None:
+        return defined
+    context = question.context
+    if all(are_numbers(*pair) for pair in question.meant):
+        sides = question.left, question.right
+        return compared(*sides, question.meant, question.rests_on_meaning, nearly=True), context
+    if question.holds():
+        return question.follows()
+    outcome = nearly_equal(question)
+    if outcome is not None:
+        return outcome
+    wrong = near_slip(question)
+    if wrong is not None:
+        return wrong.outcome, context
+    apart = _differ(question)
+    if apart is not None:
+        return apart, context
+    return Outcome(UNDECIDED, "it is not seen for what it is nearly true"), context
+
+
+def nearly_equal(question: Question) -> Judgement | None:
+    """That the sides become alike as something is small or large; None if they do not."""
+    words = _alike(question, question.both, question.worlds)
+    if not words:
+        return None
+    context = question.context
+    fixed = {f"small {in_words(x)}" for x in context.letters - question.moving}
+    accelerates = any(
+        jet.order > 1 for pair in question.both for side in pair for jet in jets(side).values()
+    )
+    if words not in fixed and accelerates:
+        context = context.holding(question.constraint(LINEAR))
+    outcome = Outcome(ASSUMING, f"for {words}", question.rests_on, conditions=(words,))
+    return outcome, context
+
+
+def said(question: Question) -> Judgement | None:
+    """What words say is true for what is small or large, though "=" is written."""
+    if not (question.at.small or question.at.large):
+        return None
+    outcome = nearly_equal(question)
+    if outcome is None:
+        return None
+    # Another sign, or twice as much, is no approximation.
+    wrong = slip(question, most=NUMBERS)
+    return outcome if wrong is None else (wrong.outcome, wrong.context)
+
+
+def near_slip(question: Question) -> Slip | None:
+    """The one change with which the sides become alike."""
+    alike = partial(_is_alike, question)
+    return slip(question, alike, "\\approx", most=NEARLY_ALIKE)
+
+
+def _is_alike(question: Question, both: Sequence[Pair], worlds: Worlds) -> bool:
+    return bool(_alike(question, both, worlds))
+
+
+def _alike(question: Question, both: Sequence[Pair], worlds: Worlds) -> str:
+    if not worlds.count:
+        return ""
+    words = {
+        nearly(left, right, question.equations, worlds, _scalings(question, worlds))
+        for left, right in both
+        if left != right
+    }
+    return words.pop() if len(words) == 1 else ""
+
+
+def _scalings(question: Question, worlds: Worlds) -> list[Scaling]:
+    """What may be small or large here: what is said to be, before what is only possible."""
+    which = "small" if question.at.small else "large" if question.at.large else ""
+    usual = scalings(worlds, question.equations, question.moving, which)
+    return [*_little(question, worlds), *usual]
+
+
+def _little(question: Question, worlds: Worlds) -> list[Scaling]:
+    little = (small_together(letters, worlds) for letters in question.context.little)
+    return [each for each in little if each is not None]
+
+
+def _differ(question: Question) -> Outcome | None:
+    """That both sides do not become alike, where it is said for what they should."""
+    if not question.at.closed or not question.worlds.count:
+        return None
+    stated = _little(question, question.worlds)
+    if question.at.large and not stated:
+        stated = scalings(question.worlds, question.equations, question.moving, "large")
+    for left, right in question.both:
+        apart = [differ(left, right, question.equations, question.worlds, x) for x in stated]
+        if apart and all(apart):
+            words = stated[0].words if len(stated) == 1 else "what is said to be large"
+            why = f"the sides do not become alike for {words}"
+            return Outcome(FALSE, why, question.rests_on)
+    return None

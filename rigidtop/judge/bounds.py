@@ -1,0 +1,63 @@
+"""Sides of which one is said to be no smaller than the other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+
+from rigidtop.judge.context import SETTING, Constraint
+from rigidtop.judge.faults import slip
+from rigidtop.judge.meaning import UnclearError
+from rigidtop.judge.numbers import are_numbers
+from rigidtop.judge.outcome import PREMISE, SAMPLED, Outcome
+from rigidtop.judge.question import Judgement, Pair, Question
+from rigidtop.judge.worlds import Worlds
+from rigidtop.tree.nodes import Node
+
+
+def judged(question: Question) -> Judgement:
+    """The outcome of left ≥ right; raises UnclearError.
+
+    It follows if it is the same bound as one that is known: both are reached together.
+    """
+    context, at = question.context, question.at
+    condition = Outcome(PREMISE, "a condition")
+    bounds = (*context.bounds, (question.left, question.right))
+    bounded = replace(context, bounds=bounds)
+    if len(question.meant) != 1 or all(are_numbers(*pair) for pair in question.meant):
+        return condition, context
+    if at.supposed:
+        return condition, bounded
+    for left, right in reversed(context.bounds):
+        known = _known(question, left, right)
+        if known is None:
+            continue
+        reached = Constraint(left, right, at.number, SETTING, at.scope)
+        edge = question.of(question.both, context.holding(reached))
+        same = partial(_is_same, question, edge, known)
+        if same(question.both, edge.worlds):
+            return Outcome(SAMPLED, "", edge.rests_on), bounded
+        wrong = slip(question, same, "\\geq") if edge.worlds.count else None
+        if wrong is not None:
+            return wrong.outcome, context
+    return condition, bounded
+
+
+def _known(question: Question, left: Node, right: Node) -> Pair | None:
+    try:
+        both = question.sides(question.meanings(), left, right)
+    except UnclearError:
+        return None
+    return both[0] if len(both) == 1 else None
+
+
+def _is_same(
+    question: Question, edge: Question, known: Pair, both: Sequence[Pair], _: Worlds
+) -> bool:
+    """Whether sides are equal where a known bound is reached, and differ in the same sense."""
+    if not edge.worlds.holds(both):
+        return False
+    free = question.of([*both, known])
+    signs = free.worlds.signs([a - b for a, b in (*both, known)])
+    return signs is not None and bool((signs[0] == signs[1]).all())

@@ -1,0 +1,125 @@
+"""Letters that a statement gives a meaning: for the first time, or again in another part."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from sympy import MatrixBase
+
+from rigidtop.judge.context import Definition
+from rigidtop.judge.jets import TIME
+from rigidtop.judge.laws import ENERGIES
+from rigidtop.judge.meaning import UnclearError, Value, is_vector
+from rigidtop.judge.numbers import are_numbers, compared
+from rigidtop.judge.outcome import DEFINITION, Outcome
+from rigidtop.judge.question import Judgement, Question
+from rigidtop.judge.sides import named, own_letters, signed, speaks_of
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.plain import plain as in_words
+
+
+def definition(question: Question, name: Node, other: Node) -> Judgement | None:
+    """What a letter stands for that nothing has fixed yet."""
+    letter, places = named(name)
+    if letter is None or question.at.instant or isinstance(other, n.Constant):
+        return None
+    context, habits = question.context, question.context.habits
+    if letter == Letter("π") and letter not in habits.own:
+        return None
+    letter = question.meaning().named(letter)
+    index = next((x for x in habits.indices if letter.sub == x), "")
+    if letter in context.definitions and not _only_names(question, letter):
+        return None
+    if letter in context.given or letter in own_letters(other):
+        return None
+    meaning = question.meaning(bound={index: 0} if index else {})
+    value = meaning.value(other)
+    if speaks_of(value, letter) or _is_fixed(question, letter, value):
+        return None
+    if meaning.component(letter) is not None:
+        return None
+    if letter in habits.moving and are_numbers(value, value) and question.at.inline:
+        return None  # a place where it may be
+    if name is question.right and question.moves(value):
+        return None  # x + y = s ties x to y, and s is what it is
+    if is_vector(letter) and not isinstance(value, MatrixBase) and value != 0:
+        raise UnclearError("one side is a vector, the other is a number")
+    at, node = question.at, signed(other, question.signs[0])
+    known = context.defining(letter, Definition(node, at.number, at.scope, places, index))
+    why = f"what {in_words(name)} stands for"
+    brings = frozenset({in_words(letter)})
+    return Outcome(DEFINITION, why, frozenset(meaning.used), brings=brings), known
+
+
+def _only_names(question: Question, letter: Letter) -> bool:
+    """Whether a letter stands for others of which nothing is said, as L does in L = T − V."""
+    context = question.context
+    names = n.letters(context.definitions[letter].node)
+    known = {*context.definitions, *question.moving}
+    return (
+        bool(names)
+        and not names & known
+        and all(x in ENERGIES for x in names)
+        and not any(names & n.letters(c.left) | n.letters(c.right) for c in context.constraints)
+    )
+
+
+def _is_fixed(question: Question, letter: Letter, value: Value) -> bool:
+    """Whether something that holds speaks of the letter, so that it is no name to give.
+
+    A law moves a coordinate and does not say where it is; but a motion that is given in time
+    has to obey it.
+    """
+    motion = letter in question.moving and not value.has(TIME)
+    return any(
+        speaks_of(each.expression, letter, functions=True)
+        and (each.constraint is not None or not motion)
+        for each in question.pool
+    )
+
+
+def again(question: Question) -> Judgement | None:
+    """A letter that is used again in another part of the text."""
+    letter, places = named(question.left)
+    context, at = question.context, question.at
+    older = context.definitions.get(letter) if letter is not None else None
+    if letter is None or older is None or at.instant or not _may_be_another(question, older):
+        return None
+    value = question.meaning().value(question.right)
+    if speaks_of(value, letter) or isinstance(value, MatrixBase) != is_vector(letter):
+        return None
+    kept = tuple(
+        c for c in context.constraints if letter not in n.letters(c.left) | n.letters(c.right)
+    )
+    newer = Definition(question.right, at.number, at.scope, places)
+    known = replace(context, constraints=kept).defining(letter, newer)
+    return Outcome(DEFINITION, f"{in_words(letter)} is used again"), known
+
+
+def number_again(question: Question) -> Judgement | None:
+    """A number that is given to a letter in place of the one that it had in another problem."""
+    letter, _ = named(question.left)
+    context, at = question.context, question.at
+    older = context.definitions.get(letter) if letter is not None else None
+    if letter is None or older is None or at.instant:
+        return None
+    given = not own_letters(older.node) and not own_letters(question.right)
+    other = at.inline and not (at.derived or question.inner)
+    if not given or not (other or _may_be_another(question, older)):
+        return None
+    if compared(question.left, question.right, question.meant).passed:
+        return None
+    known = context.defining(letter, Definition(question.right, at.number, at.scope))
+    return Outcome(DEFINITION, f"{in_words(letter)} is used again"), known
+
+
+def _may_be_another(question: Question, older: Definition) -> bool:
+    """Whether what a letter stood for may be another problem's: outside, or by the words."""
+    at = question.at
+    within = at.scope[: len(older.scope)] == older.scope
+    said = at.scope != older.scope and (at.defined or at.supposed) and not at.derived
+    # A property, as a moment of inertia, is another body's; what moves is a special motion.
+    moves = question.moves(*(x for pair in question.meant for x in pair))
+    other = at.supposed and at.inline and not (moves or at.small or at.large)
+    return not within or (not question.inner and (said or other))

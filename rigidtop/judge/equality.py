@@ -1,0 +1,208 @@
+"""Two sides that are said to be equal: what becomes of that, and what is known behind it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rigidtop.judge import approximations, definitions, faults, novelties, paths, settings
+from rigidtop.judge.context import PREMISE
+from rigidtop.judge.faults import NUMBERS
+from rigidtop.judge.laws import LAGRANGIANS, lagrange
+from rigidtop.judge.meaning import UnclearError
+from rigidtop.judge.numbers import are_numbers, compared
+from rigidtop.judge.outcome import ASSUMING, DEFINITION, SAMPLED, UNDECIDED, Outcome
+from rigidtop.judge.question import Judgement, Pair, Question
+from rigidtop.judge.sides import ZERO, named, other_root, own_letters
+from rigidtop.tree import nodes as n
+from rigidtop.tree.latex import latex
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.plain import plain as in_words
+
+DOES_NOT_FOLLOW = "it does not follow from what stands above"
+
+
+def judged(question: Question) -> Judgement:
+    """The outcome of an equation and the context behind it; raises UnclearError."""
+    left, right = question.left, question.right
+    defined = definitions.definition(question, left, right)
+    defined = defined or definitions.definition(question, right, left)
+    if defined is not None:
+        return defined
+    if all(are_numbers(*pair) for pair in question.meant):
+        return _numbers(question)
+    holds = question.worlds.holds(question.both)
+    if holds is None:
+        consistent = question.consistent()
+        if consistent is not None:
+            question = consistent
+            holds = question.worlds.holds(question.both)
+    if holds:
+        if left == right:
+            return Outcome(UNDECIDED, "it says nothing"), question.context
+        return _always(question) or question.follows()
+    if question.is_kept(question.both):
+        return question.follows()
+    return _failed(question, holds)
+
+
+def _numbers(question: Question) -> Judgement:
+    """The outcome where both sides are numbers."""
+    sides, meant = (question.left, question.right), question.meant
+    rates = (any(isinstance(x, n.Rate) for x in n.walked(side)) for side in sides)
+    if all(x == 0 for pair in meant for x in pair) and all(rates):
+        # Rates vanish only as no letter of theirs moves.
+        return Outcome(UNDECIDED, "nothing in it moves"), question.context
+    outcome = compared(*sides, meant, question.rests_on_meaning)
+    return definitions.number_again(question) or (outcome, question.context)
+
+
+def _always(question: Question) -> Judgement | None:
+    """What becomes of it for all times, where it says no more than 0 = 0 of one instant."""
+    at = question.at
+    said = not (at.instant and ZERO not in (question.left, question.right))
+    if said or not question.worlds.vanish([x for pair in question.both for x in pair]):
+        return None
+    outcome, context = judged(replace(question.always(), asked=None))
+    return (outcome, context) if outcome.passed is not None or not at.inline else None
+
+
+def _failed(question: Question, holds: bool | None) -> Judgement:
+    """What becomes of two sides that are not equal in the worlds so far."""
+    return _excused(question) or _path(question, holds) or _judged_new(question, holds)
+
+
+def _excused(question: Question) -> Judgement | None:
+    """What it says in other words than an equation of what is known now."""
+    return approximations.said(question) or novelties.force(question) or _other_form(question)
+
+
+def _path(question: Question, holds: bool | None) -> Judgement | None:
+    """A motion given as a function of the time: it solves what holds, or is tried."""
+    path = paths.path_of(question)
+    if path is None:
+        return None
+    question = replace(question, path=path)
+    laws, tried = paths.laws(question), path.context
+    if not laws:
+        return Outcome(DEFINITION, f"what {in_words(question.left)} stands for"), tried
+    new = question.new_letters
+    if paths.solves(question, path.value):
+        rests_on = frozenset().union(*(each.rests_on for each in laws))
+        rests_on |= question.rests_on_meaning
+        solved = replace(tried, results=tried.results | {*new})
+        return Outcome(SAMPLED, "it solves what stands above", rests_on), solved
+    if paths.is_free(question):
+        # One of known letters alone that solves what holds with another number is wrong.
+        wrong = None if new else faults.slip(question, most=NUMBERS)
+        if wrong is not None:
+            return wrong.outcome, wrong.context
+        words = f"a motion of {in_words(question.left)} that is tried"
+        known = replace(tried, results=tried.results | {*new})
+        return Outcome(DEFINITION, words), known
+    if question.at.closed:
+        return _judged_new(question, holds)
+    # A motion that does not obey what holds brings nothing new.
+    return _wrong(question, holds)
+
+
+def _judged_new(question: Question, holds: bool | None) -> Judgement:
+    """What it brings that is new; else what is wrong with it."""
+    return (
+        _one_root(question)
+        or definitions.again(question)
+        or novelties.letters(question)
+        or settings.setting(question)
+        or settings.chosen(question)
+        or novelties.law(question)
+        or _wrong(question, holds)
+    )
+
+
+def _wrong(question: Question, holds: bool | None) -> Judgement:
+    """What is wrong with what brings nothing new; it is open where that is not seen."""
+    context, at = question.context, question.at
+    if holds is None:
+        return Outcome(UNDECIDED, "no world was found in which all above holds"), context
+    if at.closed:
+        near = approximations.near_slip(question) if at.small or at.large else None
+        wrong = near or faults.slip(question)
+        return wrong.outcome if wrong is not None else faults.refuted(question), context
+    wrong = faults.slip(question)
+    if wrong is not None:
+        return wrong.outcome, wrong.context
+    fixed = novelties.value(question)
+    if fixed is not None:
+        return fixed
+    outcome = faults.missing_term(question) or faults.contradiction(question)
+    return outcome or Outcome(UNDECIDED, DOES_NOT_FOLLOW), context
+
+
+def _one_root(question: Question) -> Judgement | None:
+    """One of the two roots of what stands above, with a sign that nothing else says."""
+    letter, _ = named(question.left)
+    context = question.context
+    if letter is None or letter in context.definitions or question.at.closed or question.inner:
+        return None
+    other = n.mapped(question.right, other_root)
+    if other == question.right or len(question.both) != 1:
+        return None
+    try:
+        both = [*question.both, *question.sides(question.meanings(), question.left, other)]
+    except UnclearError:
+        return None
+    if not question.worlds.holds_one(both):
+        return None
+    conditions = (f"{latex(question.left)} = {latex(question.right)}",)
+    why = "it is one of two roots"
+    outcome = Outcome(ASSUMING, why, question.rests_on, conditions=conditions)
+    return outcome, context.holding(question.constraint(PREMISE))
+
+
+# --- Another expression of what is differentiated ------------------------------------------------
+
+
+def _other_form(question: Question) -> Judgement | None:
+    """Whether it holds with another expression of a function that is differentiated."""
+    for function in _differentiated(question):
+        for other in question.context.definitions[function].also:
+            try:
+                both = _with_form(question, function, other)
+            except UnclearError:
+                continue
+            alike = function not in LAGRANGIANS or _moves_alike(question, other)
+            if question.of(both).holds() and alike:
+                return question.follows()
+    return None
+
+
+def _differentiated(question: Question) -> set[Letter]:
+    """The letters with a meaning of which a derivative stands in it."""
+    return {
+        of
+        for side in (question.left, question.right)
+        for node in n.walked(side)
+        if isinstance(node, (n.Derivative, n.Primed))
+        for of in [n.ungrouped(node.of)]
+        if isinstance(of, Letter) and of in question.context.definitions
+    }
+
+
+def _with_form(question: Question, function: Letter, other: Node) -> Sequence[Pair]:
+    meanings = question.meanings(chosen={function: other})
+    return question.sides(meanings, question.left, question.right)
+
+
+def _moves_alike(question: Question, other: Node) -> bool:
+    """Whether an expression of a Lagrangian moves alike: a momentum may not be put in."""
+    meaning = question.meaning()
+    try:
+        value = meaning.scalar(other)
+    except UnclearError:
+        return False
+    context = question.context
+    held = {x for x in own_letters(other) if x in context.definitions and meaning.is_momentum(x)}
+    if held:
+        value = question.meaning(held=frozenset(held)).scalar(other)
+    laws = lagrange(context, question.memory, [], value)
+    return all(question.of([(x.expression, 0 * x.expression)]).holds() for x in laws)

@@ -1,0 +1,332 @@
+"""What is wrong with a statement: a slip, a missing term, a contradiction, or a counterexample."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+from sympy import Add, Expr, Symbol, cancel, factor_terms, fraction, linsolve, together
+from sympy.solvers.solveset import NonlinearError
+
+from rigidtop.judge import paths
+from rigidtop.judge import worlds as w
+from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.jets import TIME, jet_of
+from rigidtop.judge.laws import highest
+from rigidtop.judge.meaning import Meaning, Meant, UnclearError, plain
+from rigidtop.judge.outcome import FALSE, Outcome
+from rigidtop.judge.program import UnknownFunctionError
+from rigidtop.judge.question import Pair, Question, paired
+from rigidtop.judge.sides import ZERO, entries, letters_of, named, own_letters
+from rigidtop.judge.slips import Change, changes
+from rigidtop.judge.worlds import Worlds
+from rigidtop.judge.written import written
+from rigidtop.tree import nodes as n
+from rigidtop.tree.latex import latex
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.plain import plain as in_words
+
+MOST_NUMBERS = 8
+"""Of a counterexample no more numbers are told."""
+
+MOST_LETTERS = 16
+"""So many letters are tried in place of others."""
+
+NUMBERS = 1.5
+"""Up to this rank a slip is one of a sign or a number."""
+
+NEARLY_ALIKE = 2.9
+"""Up to this rank a slip is looked for where sides are only said to be nearly equal."""
+
+LIKELY = 1.2
+"""Up to this rank a slip is looked for in what a statement contradicts."""
+
+SLIP_SECONDS = 1.5
+"""How long the change that makes a statement right is looked for (s, of the processor's time)."""
+
+Comparison = Callable[[Sequence[Pair], Worlds], bool]
+"""Whether sides are to each other as the relation of a statement says."""
+
+# --- Slips ---------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Slip:
+    """The change with which a statement holds; `context` is known behind the statement so changed.
+
+    `outcome` shows the right line.
+    """
+
+    change: Change
+    outcome: Outcome
+    context: Context
+
+
+def slip(
+    question: Question,
+    compared: Comparison | None = None,
+    relation: str = "=",
+    letter: Letter | None = None,
+    most: float = inf,
+) -> Slip | None:
+    """The one change with which it holds in every world; of one `letter` alone, if given.
+
+    Of the changes none is less likely than `most`. Sides are `compared` for equality unless
+    something else is said; `relation` is how that is written in LaTeX.
+    """
+    patience = question.patience
+    if not question.worlds.count or patience.seconds <= 0:
+        return None
+    begun = time.process_time()
+    until = begun + min(SLIP_SECONDS, patience.seconds)
+    change = next(_right_changes(question, compared, letter, most, until), None)
+    patience.seconds -= time.process_time() - begun
+    if change is None:
+        return None
+    right = f"{latex(change.left)} {relation} {latex(change.right)}"
+    why = f"it holds with {change.words}"
+    outcome = Outcome(FALSE, why, question.rests_on, change.words, right)
+    return Slip(change, outcome, _righted(question, change))
+
+
+def _right_changes(
+    question: Question,
+    compared: Comparison | None,
+    letter: Letter | None,
+    most: float,
+    until: float,
+) -> Iterator[Change]:
+    context = question.context
+    near = {jet.letter for x in question.worlds.letters if (jet := jet_of(x)) is not None}
+    known = frozenset(context.letters & (near | {*context.definitions}))
+    indices = context.habits.indices
+    worlds = _widened(question, known)
+    meanings = question.meanings()
+    if not indices:
+        meanings = [x.remembering(question.left, question.right) for x in meanings]
+    for change in changes(question.left, question.right, known, question.moving, letter, indices):
+        if time.process_time() > until or change.rank > most:
+            return
+        if _says_something(question, change) and _is_right(
+            question, change, compared, meanings, worlds
+        ):
+            yield change
+
+
+def _says_something(question: Question, change: Change) -> bool:
+    name, _ = named(change.left)
+    if name is not None and name in n.letters(change.right) - n.letters(question.right):
+        return False  # x = x says nothing
+    may_vanish = isinstance(question.left, Letter) and question.right == ZERO
+    if may_vanish and change.left != question.left:
+        return False  # any letter may be zero
+    # A chain may not end with what it begins with.
+    ends = isinstance(question.right, Letter) and change.right == question.context.head
+    return not ends
+
+
+def _is_right(
+    question: Question,
+    change: Change,
+    compared: Comparison | None,
+    meanings: Sequence[Meaning],
+    worlds: Worlds,
+) -> bool:
+    if question.path is not None and compared is None:
+        return _is_right_path(question, change, meanings[0])
+    try:
+        both = question.sides(meanings, change.left, change.right)
+    except UnclearError:
+        return False
+    flat = plain([x for pair in both for x in pair])
+    if all(x == 0 for x in flat):
+        return False
+    if not {x for side in flat for x in side.free_symbols} <= {*worlds.letters}:
+        return False
+    if compared is not None:
+        return compared(paired(flat), worlds)
+    if change.left == change.right:
+        return False
+    return bool(worlds.holds(paired(flat), trivially=False)) or question.is_kept(paired(flat))
+
+
+def _is_right_path(question: Question, change: Change, meaning: Meaning) -> bool:
+    if change.left != question.left:
+        return False
+    try:
+        value = meaning.scalar(change.right)
+    except UnclearError:
+        return False
+    return value.has(TIME) and paths.solves(question, value)
+
+
+def _widened(question: Question, known: frozenset[Letter]) -> Worlds:
+    """Worlds in which the letters that a change may put in have numbers too."""
+    more: list[Expr] = []
+    for letter in sorted(known, key=str)[:MOST_LETTERS]:
+        moves = letter in question.moving and not question.context.timeless
+        try:
+            value = question.meaning().value(letter)
+        except UnclearError:
+            continue
+        more += entries(value)
+        for _ in range(2 * moves):
+            value = question.meaning().rate(value)
+            more += entries(value)
+    if question.at.instant:
+        more = [question.then(x) for x in more]
+    wide = question.of([*question.both, *((x, x) for x in more)])
+    return wide.worlds if wide.worlds.count else question.worlds
+
+
+def _righted(question: Question, change: Change) -> Context:
+    """What a text goes on with behind a slip: what it should have said."""
+    path = question.path
+    if path is None:
+        return question.context
+    definition = Definition(change.right, question.at.number, question.at.scope)
+    return path.before.defining(path.letter, definition)
+
+
+# --- A missing term ------------------------------------------------------------------------------
+
+
+def missing_term(question: Question) -> Outcome | None:
+    """One term that is missing, of letters that the statement has."""
+    if len(question.both) != 1 or not question.worlds.count or question.path is not None:
+        return None
+    left, right = question.both[0]
+    count = sum(len(Add.make_args(x.expand())) for x in (left, right) if x != 0)
+    tops = highest(question.equations)
+    gap = _solved_for(tops, question.equations, left - right)
+    moves = any(left.has(x) or right.has(x) for x in tops) or _differentiates(question)
+    if not moves or count < 3 or gap is None or not _is_monomial(gap) or not question.rests_on:
+        return None
+    if not letters_of(gap) <= own_letters(question.left) | own_letters(question.right):
+        return None
+    term = written(-gap)
+    if question.right == ZERO:
+        side = f"{latex(n.Sum((question.left, term)))} = 0"
+    else:
+        side = f"{latex(question.left)} = {latex(n.Sum((question.right, written(gap))))}"
+    words = f"the term {in_words(term)}"
+    return Outcome(FALSE, f"{words} is missing", question.rests_on, words, side)
+
+
+def _differentiates(question: Question) -> bool:
+    sides = (question.left, question.right)
+    return any(isinstance(x, n.Derivative) for side in sides for x in n.walked(side))
+
+
+def _is_monomial(expression: Expr) -> bool:
+    """Whether it is one term, with a small number in front."""
+    over, under = fraction(expression)
+    number, _ = over.expand().as_coeff_Mul()
+    return (
+        expression != 0
+        and not over.expand().is_Add
+        and not under.expand().is_Add
+        and number.is_Rational
+        and max(abs(number.p), number.q) <= 8
+    )
+
+
+def _solved_for(tops: Sequence[Symbol], equations: Sequence[Expr], gap: Expr) -> Expr | None:
+    """What is left of a difference where the highest rates are put in; None if it is not short."""
+    used = [x for x in tops if gap.has(x)]
+    if len(tops) > 4 or len(equations) > 6 or gap.count_ops() > 200:
+        return None
+    try:
+        solutions = list(linsolve(list(equations), list(tops))) if used else [()]
+    except NonlinearError:
+        return None
+    if len(solutions) != 1 or (used and any(x.has(*tops) for x in solutions[0])):
+        return None
+    rest = gap.xreplace(dict(zip(tops, solutions[0], strict=False))) if used else gap
+    term: Expr = factor_terms(cancel(together(rest)))
+    return term
+
+
+# --- Two statements that contradict each other ---------------------------------------------------
+
+
+def contradiction(question: Question) -> Outcome | None:
+    """A statement above that, with one change, lets this one hold; nothing follows from it."""
+    until = time.process_time() + SLIP_SECONDS / 2
+    context = question.context
+    names = [
+        (letter, definition)
+        for letter, definition in context.definitions.items()
+        if definition.number in question.rests_on_meaning
+        and definition.number not in context.supported
+        and not isinstance(definition.node, Meant)
+    ]
+    for letter, definition in sorted(names, key=lambda x: -x[1].number)[:3]:
+        known = n.letters(definition.node)
+        for change in changes(letter, definition.node, known, question.moving):
+            if time.process_time() > until or change.rank > LIKELY:
+                break
+            if change.left == letter and _holds_with(question, letter, definition, change.right):
+                why = f"it contradicts what {in_words(letter)} stands for: {change.words} there"
+                right = f"{latex(letter)} = {latex(change.right)}"
+                rests_on = frozenset({definition.number})
+                return Outcome(FALSE, why, rests_on, change.words, right)
+    return None
+
+
+def _holds_with(question: Question, letter: Letter, definition: Definition, node: Node) -> bool:
+    """Whether the statement holds where a letter stands for something else."""
+    known = question.context.defining(letter, replace(definition, node=node))
+    other = replace(question.within(known), asked=None)
+    path = question.path
+    try:
+        if path is not None:
+            before = path.before.defining(letter, replace(definition, node=node))
+            other = replace(other, path=replace(path, before=before), asked=tuple(question.both))
+            return paths.solves(other, other.meaning().scalar(question.right))
+        return other.holds()
+    except UnclearError:
+        return False
+
+
+# --- A counterexample ----------------------------------------------------------------------------
+
+
+def refuted(question: Question) -> Outcome:
+    """That it fails in a world, with the numbers of its letters and of both sides there."""
+    letters = _numbered(question)
+    for left, right in question.both:
+        try:
+            values = question.worlds.program.values([*letters.values(), left, right]).values.real
+        except UnknownFunctionError:
+            break
+        fails = [k for k in range(question.worlds.count) if not _agree(values[-2:, k])]
+        if fails:
+            *numbers, here, there = values[:, fails[0]]
+            told = [f"{x} = {v:.3g}" for x, v in zip(letters, numbers, strict=True)]
+            where = f"at {', '.join(told[:MOST_NUMBERS])}: " if told else ""
+            both = f"the left side is {here:.4g}, the right side {there:.4g}"
+            return Outcome(FALSE, (where + both).replace("-", "−"), question.rests_on)
+    return Outcome(FALSE, "it does not hold", question.rests_on)
+
+
+def _numbered(question: Question) -> dict[str, Expr]:
+    """The letters and rates that stand in it and have a number in its worlds."""
+    meaning, numbered = question.meaning(), dict[str, Expr]()
+    for node in (x for side in (question.left, question.right) for x in n.walked(side)):
+        if isinstance(node, Letter) or (isinstance(node, n.Rate) and node.dotted):
+            with suppress(UnclearError):
+                value = meaning.scalar(node)
+                if value.free_symbols <= {*question.worlds.letters}:
+                    numbered[in_words(node)] = value
+    return numbered
+
+
+def _agree(pair: NDArray[np.float64]) -> bool:
+    """Whether two numbers differ by no more than rounding."""
+    return bool(abs(pair[0] - pair[1]) <= w.CLOSE * (abs(pair[0]) + abs(pair[1]) + w.CLOSE))

@@ -1,0 +1,195 @@
+"""What a statement brings that is new: letters, functions, forces, a law of what was free."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sympy import Basic, Symbol
+
+from rigidtop.judge import worlds as w
+from rigidtop.judge.context import FORCED, LAW, PREMISE, SETTING, Definition
+from rigidtop.judge.faults import slip
+from rigidtop.judge.jets import jet_of, rate
+from rigidtop.judge.laws import LAGRANGIANS, highest, lagrange
+from rigidtop.judge.meaning import Meant, is_vector
+from rigidtop.judge.outcome import SAMPLED, Outcome
+from rigidtop.judge.question import Judgement, Question, alone
+from rigidtop.judge.settings import fixes
+from rigidtop.judge.sides import own_letters
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.plain import plain as in_words
+
+# --- Letters and functions -----------------------------------------------------------------------
+
+
+def letters(question: Question) -> Judgement | None:
+    """What fixes a letter, or a function, that occurs for the first time."""
+    if question.inner and _free_on_the_left(question):
+        return None
+    new, context = question.new_letters, question.context
+    kind = SETTING if question.at.supposed else PREMISE
+    if not new:
+        if not _brings_a_function(question):
+            return None
+        outcome = Outcome("premise", "it brings a function", question.rests_on_meaning)
+        return outcome, context.holding(question.constraint(kind))
+    if len(new) == 1 and _rate_follows(question, new[0]):
+        words = f"{in_words(new[0])} is a constant of integration"
+        outcome = Outcome(SAMPLED, words, question.rests_on)
+        return outcome, context.holding(question.constraint(PREMISE))
+    if len(new) == 1 and new[0] not in question.at.declared and not _names(question, new):
+        wrong = slip(question, letter=new[0])
+        if wrong is not None:
+            return wrong.outcome, context
+    if len(new) == 1:
+        solved = _solved(question, new[0])
+        if solved is not None:
+            definition = Definition(solved, question.at.number, question.at.scope)
+            return _brings(question, new), context.defining(new[0], definition)
+    known = replace(context, results=context.results | _results(question, new))
+    return _brings(question, new), known.holding(question.constraint(kind))
+
+
+def _names(question: Question, new: Sequence[Letter]) -> bool:
+    """Whether the left side is a letter, or has none but new ones."""
+    return isinstance(question.left, Letter) or own_letters(question.left) <= {*new}
+
+
+def _brings(question: Question, new: Sequence[Letter]) -> Outcome:
+    words = ", ".join(map(in_words, new))
+    brings = frozenset(map(in_words, new))
+    return Outcome("premise", f"it brings {words}", question.rests_on_meaning, brings=brings)
+
+
+def _results(question: Question, new: Sequence[Letter]) -> frozenset[Letter]:
+    """New letters that stand alone as a term, as the force in m z̈ = N − m g."""
+    if question.at.instant:
+        return frozenset()
+    return frozenset(x for x in new for gap in question.gaps if gap.diff(alone(x)) in (1, -1))
+
+
+def _brings_a_function(question: Question) -> bool:
+    known = {x for e in question.equations for x in e.free_symbols}
+    return any(
+        x.name.startswith("f(") and x not in known
+        for left, right in question.both
+        for x in left.free_symbols ^ right.free_symbols
+    )
+
+
+def _rate_follows(question: Question, letter: Letter) -> bool:
+    """Whether the rates of both sides agree, so that the new letter is their difference."""
+    x = alone(letter)
+    still = letter not in question.moving and not is_vector(letter)
+    if not still or question.at.instant or question.path is not None:
+        return False
+    rates = [rate(gap, question.moving) for gap in question.gaps]
+    speaks = any(gap.has(x) for gap in question.gaps) and not any(r.has(x) for r in rates)
+    if not speaks or not any(rates):
+        return False
+    return question.of([(r, 0 * r) for r in rates]).holds()
+
+
+def _solved(question: Question, letter: Letter) -> Node | None:
+    """What a new letter is by a linear equation; None where it is not linear, or moves."""
+    x = alone(letter)
+    if is_vector(letter) or letter in question.moving or len(question.both) > 1:
+        return None
+    [gap] = question.gaps
+    slope = gap.diff(x)
+    if question.at.instant or slope.has(x) or slope == 0:
+        return None
+    if question.left == letter:
+        return question.right
+    return Meant(-gap.subs(x, 0) / slope)
+
+
+# --- What was free -------------------------------------------------------------------------------
+
+
+def law(question: Question) -> Judgement | None:
+    """An equation of motion of what no law moves: it fixes a highest rate that was free."""
+    if not question.worlds.count or question.inner or question.at.instant or question.at.closed:
+        return None
+    head = question.left.of if isinstance(question.left, n.Rate) else question.left
+    if isinstance(head, Letter) and head in question.context.definitions:
+        # What stands for something moves as that does, if it is not a law.
+        wrong = slip(question)
+        if wrong is not None:
+            return wrong.outcome, wrong.context
+    free = highest([*question.gaps, *question.equations])
+    if not free or not fixes(question, free):
+        return None
+    outcome = Outcome("premise", "it is taken as it stands", question.rests_on_meaning)
+    return outcome, question.context.holding(question.constraint(LAW))
+
+
+def force(question: Question) -> Judgement | None:
+    """Lagrange's equation with a force on its right side, which holds from here on."""
+    names = {
+        x
+        for node in n.walked(question.left)
+        if isinstance(node, n.Derivative)
+        for x in n.letters(node.of)
+    }
+    at = question.at
+    if question.inner or at.instant or at.closed or not names & {*LAGRANGIANS}:
+        return None
+    laws = lagrange(question.context, question.memory, [])
+    [(left, right), *more] = question.both
+    if more or right == 0 or not any((left - x.expression).expand() == 0 for x in laws):
+        return None
+    new = question.new_letters
+    outcome = Outcome("premise", "it brings a force", question.rests_on_meaning)
+    outcome = _brings(question, new) if new else outcome
+    return outcome, question.context.holding(question.constraint(FORCED))
+
+
+def value(question: Question) -> Judgement | None:
+    """What fixes letters that have occurred, and of which nothing has been said."""
+    at, context = question.at, question.context
+    said = at.defined or at.supposed or at.inline
+    if not question.worlds.count or (at.derived and not question.inner):
+        return None
+    free = _free_on_the_left(question) if said or question.inner else []
+    if not free and not question.inner:
+        free = _free_in_premises(question)
+    if not free or not fixes(question, free):
+        return None
+    fixed = {jet.letter for x in free if (jet := jet_of(x)) is not None}
+    above = (d for d in context.definitions.values() if d.number != at.number)
+    spoken = frozenset().union(*(n.letters(d.node) for d in above))
+    outcome = _brings(question, sorted(fixed, key=str))
+    outcome = replace(outcome, restricts=bool(fixed & spoken))
+    if len(fixed) == 1:
+        [letter] = fixed
+        solved = _solved(question, letter)
+        if solved is not None:
+            definition = Definition(solved, at.number, at.scope)
+            return outcome, context.defining(letter, definition)
+    return outcome, context.holding(question.constraint(PREMISE))
+
+
+def _free_in_premises(question: Question) -> list[Symbol]:
+    """Letters of which only premises speak, and neither laws nor what letters stand for."""
+    spoken: set[Basic] = set()
+    other: set[Basic] = set()
+    for each in question.pool:
+        (spoken if each.kind == PREMISE else other).update(each.expression.free_symbols)
+    definitions = question.context.definitions.values()
+    named = frozenset().union(*(n.letters(d.node) for d in definitions))
+    return [
+        x
+        for x in w.symbols_of([x for pair in question.both for x in pair])
+        if x in spoken - other and (jet := jet_of(x)) is not None and jet.letter not in named
+    ]
+
+
+def _free_on_the_left(question: Question) -> list[Symbol]:
+    """Letters of the left side alone of which nothing has been said."""
+    bound = {x for each in question.pool for x in each.expression.free_symbols}
+    bound |= {x for _, right in question.both for x in right.free_symbols}
+    left = w.symbols_of([left for left, _ in question.both])
+    return [x for x in left if x not in bound and jet_of(x) is not None]

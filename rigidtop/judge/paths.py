@@ -1,0 +1,89 @@
+"""Motions that a text gives as functions of the time: do they obey what holds?"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from sympy import Expr, MatrixBase
+
+from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.jets import TIME, Jet, rate, symbol
+from rigidtop.judge.laws import Residual, residuals
+from rigidtop.judge.meaning import Meant
+from rigidtop.judge.question import Pair, Path, Premises, Question
+from rigidtop.judge.sides import letters_of, named, speaks_of
+from rigidtop.tree.nodes import Letter
+
+MOST_RATES = 3
+"""Rates of so high an order are put in."""
+
+
+def path_of(question: Question) -> Path | None:
+    """The motion that a statement gives; None if it gives none."""
+    letter, _ = named(question.left)
+    if letter is None or question.at.instant or letter not in question.moving:
+        return None
+    value = question.meaning().value(question.right)
+    context = question.context
+    if letter in context.definitions and not question.meaning().value(letter).has(TIME):
+        return None
+    if isinstance(value, MatrixBase) or not value.has(TIME) or speaks_of(value, letter):
+        return None
+    before = context.forgetting(letter)
+    definition = Definition(question.right, question.at.number, question.at.scope)
+    return Path(letter, value, before, before.defining(letter, definition))
+
+
+def laws(question: Question) -> list[Residual]:
+    """What holds of the letter of a path where nothing says how it moves."""
+    path = question.path
+    assert path is not None
+    return [
+        each
+        for each in Premises(path.before, question.memory).residuals
+        if speaks_of(each.expression, path.letter) and not each.instant
+    ]
+
+
+def solves(question: Question, value: Expr) -> bool:
+    """Whether a motion, or another in its place, obeys what holds of its letter."""
+    path = question.path
+    assert path is not None
+    put = _put_in(path.letter, value, question.context)
+    own_laws = laws(question)
+    gaps = [(each.expression.subs(put, simultaneous=True), 0 * TIME) for each in own_laws]
+    solved = {each.constraint for each in own_laws}
+    left = tuple(c for c in path.context.constraints if c not in solved)
+    if not question.new_letters:  # else they say what the new letters are
+        starts = tuple(c for c in left if c.instant and path.letter in c.letters)
+        tried = Definition(Meant(value), question.at.number, question.at.scope)
+        begun = residuals(
+            replace(path.context.defining(path.letter, tried), constraints=starts),
+            question.memory,
+        )
+        gaps += [(each.expression, 0 * TIME) for each in begun if each.constraint in starts]
+        left = tuple(c for c in left if c not in starts)
+    return question.of(gaps, replace(path.context, constraints=left)).holds()
+
+
+def is_free(question: Question) -> bool:
+    """Whether a motion of letters that are left open may be tried, though it solves nothing yet."""
+    path = question.path
+    assert path is not None
+    letters = [symbol(Jet(x)) for x in sorted(letters_of(path.value), key=str)]
+    same: list[Pair] = [(x, x) for x in letters]
+    return (
+        path.letter not in question.context.definitions
+        and bool(letters)
+        and not question.at.closed
+        and bool(question.of(same, path.context).worlds.count)
+    )
+
+
+def _put_in(letter: Letter, value: Expr, context: Context) -> dict[Expr, Expr]:
+    """The numbers of a letter and its rates where it is a function of the time."""
+    put: dict[Expr, Expr] = {}
+    for order in range(MOST_RATES + 1):
+        put[symbol(Jet(letter, order))] = value
+        value = rate(value, context.habits.moving)
+    return put

@@ -1,0 +1,332 @@
+"""Two sides that are said to be equal: what they mean, what they rest on, worlds for that."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from sympy import Expr
+
+from rigidtop.judge import worlds as w
+from rigidtop.judge.context import SETTING, Constraint, Context
+from rigidtop.judge.jets import Jet, jets, rate, symbol
+from rigidtop.judge.laws import Residual, moved, residuals, surrounding
+from rigidtop.judge.meaning import (
+    LARGEST,
+    Meaning,
+    Memory,
+    UnclearError,
+    Value,
+    pairs,
+    particles,
+    plain,
+)
+from rigidtop.judge.outcome import SAMPLED, Outcome
+from rigidtop.judge.sides import entries, letters_of, own_letters
+from rigidtop.judge.situation import Situation
+from rigidtop.judge.worlds import Worlds
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+
+Pair = tuple[Expr, Expr]
+Judgement = tuple[Outcome, Context]
+"""What became of a statement, and what is known behind it."""
+
+MOST_GIVEN_UP = 4
+"""So many premises are given up, the oldest first, where they do not hold together."""
+
+
+ALL_SLIPS_SECONDS = 12.0
+"""How long slips are looked for in a whole text (s, of the processor's time)."""
+
+
+@dataclass
+class Patience:
+    """How many seconds of the processor are left to look for slips in a text."""
+
+    seconds: float = ALL_SLIPS_SECONDS
+
+
+@dataclass(frozen=True, eq=False)
+class Premises:
+    """What holds in a context: at an instant, if one is named."""
+
+    context: Context
+    memory: Memory
+    instant: str = ""
+
+    @cached_property
+    def residuals(self) -> list[Residual]:
+        """Laws and constraints as expressions that vanish."""
+        return residuals(self.context, self.memory, self.instant)
+
+    @cached_property
+    def not_zero(self) -> list[Expr]:
+        """What the text says does not vanish."""
+        return [*self._not_zero()]
+
+    def _not_zero(self) -> Iterator[Expr]:
+        for node in self.context.not_zero:
+            try:
+                yield Meaning(self.context, self.memory).scalar(node)
+            except UnclearError:
+                continue
+
+
+@dataclass(frozen=True, eq=False)
+class Grounds:
+    """The premises that have to do with a question, as equations, with both sides beside them."""
+
+    both: list[Pair]
+    equations: list[Expr]
+    rests_on: frozenset[int]
+    near: list[Residual]
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A motion that is tried for a letter: what is known without it, and with it put in."""
+
+    letter: Letter
+    value: Expr
+    before: Context
+    context: Context
+
+
+@dataclass(frozen=True, eq=False)
+class Question:
+    """Whether two sides are equal where they stand; `inner` is a link behind a chain's first one.
+
+    `signs` are those of ±: with two the sides are the two roots of something. With `asked` other
+    sides are compared, in place of what is written; `path` is the motion that they try.
+    """
+
+    left: Node
+    right: Node
+    at: Situation
+    premises: Premises
+    patience: Patience
+    inner: bool = False
+    signs: tuple[int, ...] = (1,)
+    asked: tuple[Pair, ...] | None = None
+    used: frozenset[int] = field(default_factory=frozenset)
+    path: Path | None = None
+
+    @property
+    def context(self) -> Context:
+        return self.premises.context
+
+    @property
+    def memory(self) -> Memory:
+        return self.premises.memory
+
+    @property
+    def moving(self) -> frozenset[Letter]:
+        """The letters that have a rate somewhere in the text."""
+        return self.context.habits.moving
+
+    # --- the same otherwise ----------------------------------------------------------------------
+
+    def within(self, context: Context) -> Question:
+        """The same question where something else holds."""
+        return replace(self, premises=replace(self.premises, context=context))
+
+    def always(self) -> Question:
+        """The same question of all times, in place of one instant."""
+        premises = replace(self.premises, instant="")
+        return replace(self, at=replace(self.at, instant=""), premises=premises)
+
+    def of(self, both: Sequence[Pair], context: Context | None = None) -> Question:
+        """The same with other sides, perhaps where something else holds."""
+        other = replace(self, asked=tuple(both), used=self.rests_on_meaning)
+        return other if context is None else other.within(context)
+
+    def consistent(self) -> Question | None:
+        """The same without the oldest premises that do not hold together with the rest.
+
+        They are another problem's. None where no world is found so either.
+        """
+        constraints = {r.constraint for r in self.grounds.near if r.constraint is not None}
+        scope = self.at.scope
+        order = sorted(
+            constraints,
+            key=lambda c: (scope[: len(c.scope)] == c.scope, c.kind != SETTING, c.number),
+        )
+        kept = self.context
+        for constraint in order[:MOST_GIVEN_UP]:
+            left = tuple(c for c in kept.constraints if c is not constraint)
+            kept = replace(kept, constraints=left)
+            other = self.of(self.both, kept)
+            if other.worlds.count:
+                return other
+        return None
+
+    # --- what it means ---------------------------------------------------------------------------
+
+    def meaning(self, **changes: object) -> Meaning:
+        """What finds values here, with the first sign."""
+        changes = {"sign": self.signs[0], **changes}
+        return Meaning(self.context, self.memory, **changes)  # type: ignore[arg-type]
+
+    def meanings(self, **changes: object) -> list[Meaning]:
+        """What finds values here, one for each sign."""
+        return [self.meaning(sign=sign, **changes) for sign in self.signs]
+
+    def sides(self, meanings: Sequence[Meaning], left: Node, right: Node) -> list[Pair]:
+        """Both sides as expressions, for each particle if they speak of any one; now or then.
+
+        Raises UnclearError.
+        """
+        bound = particles(self.context.habits.indices, left, right, most=2)
+        values = [meaning.with_(bound=each) for meaning in meanings for each in bound]
+        both = [pair for x in values for pair in pairs(x.value(left), x.value(right))]
+        if self.at.instant:
+            both = [(self.then(a), self.then(b)) for a, b in both]
+        if sum(x.count_ops() for pair in both for x in pair) > 2 * LARGEST:
+            raise UnclearError("it becomes too long")
+        return both
+
+    def then(self, expression: Expr, instant: str = "") -> Expr:
+        """What an expression is at an instant, else at the one of which the statement speaks."""
+        return moved(expression, instant or self.at.instant, self.context, self.memory)
+
+    @cached_property
+    def _meant(self) -> tuple[list[Pair], frozenset[int]]:
+        if self.asked is not None:
+            return [*self.asked], self.used
+        meanings = self.meanings()
+        both = self.sides(meanings, self.left, self.right)
+        return both, frozenset().union(*(meaning.used for meaning in meanings))
+
+    @property
+    def meant(self) -> list[Pair]:
+        """Both sides as expressions, a pair a component; raises UnclearError."""
+        return self._meant[0]
+
+    @property
+    def rests_on_meaning(self) -> frozenset[int]:
+        """The statements that say what the letters of both sides stand for."""
+        return self._meant[1]
+
+    # --- what holds beside it --------------------------------------------------------------------
+
+    @property
+    def pool(self) -> list[Residual]:
+        """All that holds here."""
+        return self.premises.residuals
+
+    @cached_property
+    def grounds(self) -> Grounds:
+        """What has to do with it."""
+        sides = paired(plain([x for pair in self.meant for x in pair]))
+        flat = [x for pair in sides for x in pair]
+        equations, rests_on, near = surrounding(flat, self.context, self.pool)
+        together = plain([*equations, *flat])
+        return Grounds(sides, together[: len(equations)], rests_on, near)
+
+    @property
+    def both(self) -> list[Pair]:
+        """Both sides, with a symbol for the value of each unknown function."""
+        return self.grounds.both
+
+    @property
+    def equations(self) -> list[Expr]:
+        """What vanishes where all holds that has to do with it."""
+        return self.grounds.equations
+
+    @cached_property
+    def worlds(self) -> Worlds:
+        """Numbers at which all holds that has to do with it."""
+        letters = w.symbols_of([*self.equations, *(x for pair in self.both for x in pair)])
+        return w.found(self.equations, letters, self.context.results, self.premises.not_zero)
+
+    @property
+    def rests_on(self) -> frozenset[int]:
+        """The statements that it would follow from."""
+        return (self.rests_on_meaning | self.grounds.rests_on) - {self.at.number}
+
+    def holds(self) -> bool:
+        """Whether the sides are equal in every world."""
+        return bool(self.worlds.holds(self.both))
+
+    # --- what is in it ---------------------------------------------------------------------------
+
+    @cached_property
+    def new_letters(self) -> list[Letter]:
+        """Letters of which nothing that stands above speaks."""
+        spoken = {x for each in self.pool for x in letters_of(each.expression)}
+        for definition in self.context.definitions.values():
+            spoken |= n.letters(definition.node)
+        meant = {x for pair in self.both for side in pair for x in letters_of(side)}
+        spoken |= self.context.definitions.keys() | self.context.given | self.context.declared
+        return sorted(meant - spoken, key=str)
+
+    @property
+    def gaps(self) -> list[Expr]:
+        """The difference of both sides, one a component."""
+        return [a - b for a, b in self.both]
+
+    def moves(self, *values: Value) -> bool:
+        """Whether a letter that moves, or a rate, stands in what is meant."""
+        return any(
+            j.order or j.letter in self.moving
+            for value in values
+            for x in entries(value)
+            for j in jets(x).values()
+        )
+
+    def constraint(self, kind: str) -> Constraint:
+        """That both sides are equal, as something that holds from here on."""
+        at = self.at
+        names = own_letters(self.left) | own_letters(self.right)
+        moves = bool(names & self.moving) or self.moves(*(x for pair in self.both for x in pair))
+        # Said of one place, r = R ŷ ends with its sentence, unless the motion passes there.
+        placed = at.instant and not moves and isinstance(self.left, Letter)
+        until = at.sentence if placed else None
+        instant = at.instant if moves else ""
+        return Constraint(self.left, self.right, at.number, kind, at.scope, instant, until)
+
+    def follows(self) -> Judgement:
+        """That it follows; its right side is another expression of what the chain begins with."""
+        context = self.context
+        letter = context.head
+        if letter is not None and letter in context.definitions and self.signs[0] == 1:
+            definition = context.definitions[letter]
+            also = (*definition.also, self.right)
+            context = context.defining(letter, replace(definition, also=also))
+        context = replace(context, supported=context.supported | self.rests_on)
+        return Outcome(SAMPLED, "", self.rests_on), context
+
+    def is_kept(self, both: Sequence[Pair]) -> bool:
+        """Whether the difference of two sides does not change, and vanishes at an instant."""
+        instants = {c.instant for c in self.context.constraints if c.instant}
+        if self.at.instant or self.path is not None or not self.worlds.count or not instants:
+            return False
+        rates = self._rates(both)
+        if all(a == b == 0 for a, b in rates):
+            return False
+        return bool(self._times.holds(rates)) and any(
+            self._times.holds([(self.then(a, x), self.then(b, x)) for a, b in both])
+            for x in instants
+        )
+
+    def _rates(self, both: Sequence[Pair]) -> list[Pair]:
+        return [(rate(a, self.moving), rate(b, self.moving)) for a, b in both]
+
+    @cached_property
+    def _times(self) -> Worlds:
+        """Worlds of now and of the instants of which something is known."""
+        instants = {c.instant for c in self.context.constraints if c.instant}
+        then = [(self.then(a, x), self.then(b, x)) for a, b in self.both for x in instants]
+        return self.of([*self.both, *self._rates(self.both), *then]).worlds
+
+
+def paired(expressions: Sequence[Expr]) -> list[Pair]:
+    """Each two expressions that follow each other as a pair."""
+    return list(zip(*[iter(expressions)] * 2, strict=True))
+
+
+def alone(letter: Letter) -> Expr:
+    """The number of a letter itself."""
+    return symbol(Jet(letter))

@@ -1,0 +1,99 @@
+"""Special cases that a statement sets: a special motion, a start, a value of what was left open."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sympy import Symbol
+
+from rigidtop.judge import worlds as w
+from rigidtop.judge.context import SETTING
+from rigidtop.judge.jets import TIME, Jet, jet_of
+from rigidtop.judge.numbers import are_numbers
+from rigidtop.judge.outcome import PREMISE, Outcome
+from rigidtop.judge.question import Judgement, Question
+from rigidtop.judge.sides import is_setting, is_start
+from rigidtop.tree.nodes import Letter
+
+
+def setting(question: Question) -> Judgement | None:
+    """A special motion, or what holds at one instant."""
+    if not _may_be_set(question):
+        return None
+    context = question.context
+    what = "at one instant" if question.at.instant else "a special case"
+    outcome = Outcome(PREMISE, what, question.rests_on_meaning)
+    set_here = question.constraint(SETTING)
+    known = context.holding(set_here)
+    if question.of(question.both, known).worlds.count:
+        return outcome, known
+    older = [c for c in context.constraints if c.kind == SETTING and not c.instant]
+    for count in range(len(older) + 1):
+        # What goes together with no earlier case is a case of its own.
+        kept = tuple(c for c in context.constraints if c not in older[:count])
+        known = replace(context, not_zero=(), constraints=kept).holding(set_here)
+        if question.of(question.both, known).worlds.count:
+            return outcome, known
+    return None
+
+
+def _may_be_set(question: Question) -> bool:
+    """Whether it is written, and said, as what is set is."""
+    at, left = question.at, question.left
+    known = () if at.instant else question.context.definitions
+    given = (
+        is_setting(left, question.right, known)
+        or _is_value(question)
+        or bool(at.instant and at.inline)
+    )
+    if question.inner and not is_start(left):
+        return False
+    if at.closed and not (at.supposed or at.instant or is_start(left)):
+        return False
+    if at.derived and not (at.supposed or at.opens or (at.instant and at.inline)):
+        return False
+    return at.supposed or given
+
+
+def _is_value(question: Question) -> bool:
+    """Whether a letter that stands for nothing is given a number, perhaps with a unit."""
+    left = question.left
+    new = isinstance(left, Letter) and left not in question.context.definitions
+    return new and question.at.inline and all(are_numbers(x, x) for _, x in question.both)
+
+
+def chosen(question: Question) -> Judgement | None:
+    """A value for a letter that a text has brought itself and has left free so far."""
+    context = question.context
+    if not question.at.closed or question.at.instant:
+        return None
+    asked = {x for pair in question.both for side in pair for x in side.free_symbols}
+    own = {x for x in asked if (jet := jet_of(x)) is not None and _is_own(question, jet)}
+    if not own or not is_setting(question.left, question.right, context.definitions):
+        return None
+    if question.moves(*question.gaps):
+        return None
+    # What moves follows such a value, as ω₁ = A cos Ωt does.
+    free = [x for x in question.worlds.letters if x in own or question.moves(x)]
+    known = context.holding(question.constraint(SETTING))
+    if not fixes(question, free):
+        timed = any(each.has(TIME) for each in question.equations)
+        if not (timed and question.of(question.both, known).worlds.count):
+            return None
+    return Outcome(PREMISE, "it is chosen", question.rests_on_meaning), known
+
+
+def _is_own(question: Question, jet: Jet) -> bool:
+    """Whether it is a constant that no facts know and nothing else is called."""
+    context = question.context
+    known = context.given | context.declared | question.moving | context.definitions.keys()
+    return not jet.order and not jet.place and jet.letter not in known
+
+
+def fixes(question: Question, free: Sequence[Symbol]) -> bool:
+    """Whether each of its components fixes one more of some letters: a question of rank."""
+    equations, worlds = question.equations, question.worlds
+    before = w.rank(equations, worlds, free)
+    behind = w.rank([*equations, *question.gaps], worlds, free)
+    return bool(behind == before + len(question.gaps))

@@ -1,0 +1,35 @@
+"""Where a statement stands, and what the words beside it say."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rigidtop.tree.nodes import Letter
+
+
+@dataclass(frozen=True)
+class Situation:
+    """Where a statement stands and what the words beside it say.
+
+    `supposed`: it is set for what follows; `case`: it is one of several; `derived`: it is said to
+    follow; `instant`: it is said of one moment; `small` and `large`: for what it is nearly true;
+    `declared` are letters that words introduce, and `asked` says that it is not asserted.
+    `inline`: it stands in a line of words, and `opens`: nothing stands above it in its scope.
+    `closed`: all that is needed has been said, so that what does not hold is false.
+    """
+
+    number: int
+    scope: tuple[int, ...] = ()
+    instant: str = ""
+    sentence: int = -1
+    supposed: bool = False
+    case: bool = False
+    derived: bool = False
+    defined: bool = False
+    small: bool = False
+    large: bool = False
+    asked: bool = False
+    inline: bool = False
+    closed: bool = False
+    opens: bool = False
+    declared: frozenset[Letter] = frozenset()
