@@ -7,9 +7,8 @@ import re
 import sys
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rigidtop.commands.claims import FAILED
 from rigidtop.commands.output import print_json
@@ -19,7 +18,6 @@ if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.commands.findings import Finding
     from rigidtop.mark.audited import Audited
-    from rigidtop.notation import Notation
     from rigidtop.read.macros import Macros
     from rigidtop.read.walk import Formula
     from rigidtop.report.annotated import Formula as Shown
@@ -120,9 +118,9 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
         from rigidtop.report.annotated import write
         from rigidtop.terminal.files import write_whole
 
-        marks = [*_of_claims(source, audited, macros), *_wrong(source, findings, notation, macros)]
+        marks = [*_of_claims(source, audited, macros), *_wrong(source, findings, macros)]
         others = [f"{x.title}: {x.verdict}: {_why(x)}" for x in findings if _is_beside(x)]
-        formulas = _others(source, marks, notation, macros)
+        formulas = _others(source, marks, macros)
         page = write(path.name, source, formulas, marks, summary(findings), others)
         write_whole(output, page.encode())
     if options.json:
@@ -222,8 +220,6 @@ def _few(names: Sequence[str], most: int = MOST_OPEN) -> str:
 
 # --- The annotated page --------------------------------------------------------------------------
 
-_LOST = re.compile(r"\((?:t|r|\\mathbf\{\s*r\s*\})\)|\d\s*\\times")
-"""What an equation does not keep: that ω depends on t, that 3 × 3 is a shape."""
 _OPENING = re.compile(r"(?:\$\$|\$|\\\(|\\\[|\\begin\{\w+\*?\})$")
 
 
@@ -243,23 +239,20 @@ def _of_claims(source: str, audited: Sequence[Audited], macros: Macros) -> Itera
             verdict=each.verdict,
             passed=each.passed,
             note=each.note,
-            formulas=tuple(_whole(each, macros)),
+            formulas=tuple(_shown(source, formula, macros, display=True) for formula in formulas),
         )
 
 
-def _wrong(
-    source: str, findings: Sequence[Finding], notation: Notation, macros: Macros
-) -> Iterator[Mark]:
+def _wrong(source: str, findings: Sequence[Finding], macros: Macros) -> Iterator[Mark]:
     """The formulas of the file itself of which something is wrong."""
-    from rigidtop.read.document import SECONDS, formulas
+    from rigidtop.read.document import formulas
     from rigidtop.report.annotated import Mark
 
-    until = time.process_time() + SECONDS
     for formula in formulas(source):
         wrong = [x for x in findings if x.is_wrong and x.formula == formula.start]
         if wrong:
             first = wrong[0]
-            drawn = replace(_shown(source, formula, notation, macros, until), display=True)
+            drawn = _shown(source, formula, macros, display=True)
             yield Mark(
                 start=drawn.start,
                 end=formula.end,
@@ -283,30 +276,15 @@ def _is_beside(each: Finding) -> bool:
     return each.of is Of.PLACE or (each.of is Of.FILE and each.is_wrong and each.formula < 0)
 
 
-def _others(source: str, marks: Sequence[Mark], notation: Notation, macros: Macros) -> list[Shown]:
+def _others(source: str, marks: Sequence[Mark], macros: Macros) -> list[Shown]:
     """The formulas of the text without a mark."""
-    from rigidtop.read.document import SECONDS, formulas
+    from rigidtop.read.document import formulas
 
-    until = time.process_time() + SECONDS
     spans = [(mark.start, mark.end) for mark in marks]
     return [
-        _shown(source, each, notation, macros, until)
+        _shown(source, each, macros, each.display)
         for each in formulas(source)
         if not any(start <= each.start < end for start, end in spans)
-    ]
-
-
-def _whole(each: Audited, macros: Macros) -> list[Shown]:
-    """A group as one formula with all its equations; as its sources where one is unread."""
-    from rigidtop.report.annotated import Formula
-    from rigidtop.report.transcript import transcript
-
-    equations = tuple(placed.equation for placed in each.placed if placed.equation is not None)
-    if len(equations) == len(each.placed):
-        return [Formula(0, 0, "", equations, display=True)]
-    return [
-        Formula(0, 0, x.text, display=True, signs=transcript(x.text, macros, display=True))
-        for x in each.group.formulas
     ]
 
 
@@ -317,22 +295,11 @@ def _opening(source: str, formula: Formula) -> int:
     return first + opening.start() if opening else formula.start
 
 
-def _shown(
-    source: str, formula: Formula, notation: Notation, macros: Macros, until: float
-) -> Shown:
-    """A formula of the text, typeset if it is read, in time, and nothing of it is lost."""
-    from rigidtop.read.formula import read
+def _shown(source: str, formula: Formula, macros: Macros, display: bool) -> Shown:
+    """A formula of the text, sign by sign as it is written."""
     from rigidtop.report.annotated import Formula as Shown
     from rigidtop.report.transcript import transcript
 
     text = formula.text.strip()
-    late = time.process_time() > until
-    trees: tuple[Any, ...] = () if late else tuple(line.equation for line in read(text, notation))
-    if not late and (None in trees or not trees):
-        # A quantity, without a relation, is what could be equal to 0.
-        lines = read(f"0 = {text}", notation) if not re.search(r"[=<>]", text) else ()
-        trees = tuple(line.equation and line.equation.sides[1] for line in lines)
-    if None in trees or _LOST.search(text):
-        trees = ()
-    signs = "" if trees else transcript(text, macros, formula.display)
-    return Shown(_opening(source, formula), formula.end, text, trees, formula.display, signs)
+    signs = transcript(text, macros, display)
+    return Shown(_opening(source, formula), formula.end, text, display, signs)

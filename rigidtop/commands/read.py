@@ -5,16 +5,21 @@ from __future__ import annotations
 import argparse
 import time
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands.output import print_json
 
 if TYPE_CHECKING:
     from rigidtop.notation import Notation
-    from rigidtop.read.formula import Line
-    from rigidtop.read.habits import Habits
     from rigidtop.read.labels import Counted
+    from rigidtop.read.macros import Macros
     from rigidtop.read.project import Source
+    from rigidtop.read.walk import Formula
+    from rigidtop.tree.statement import Statement
+
+SECONDS = 60.0
+"""A file is not read for longer than this (of the processor's time)."""
 
 ABOUT = "read the equations of anyone's notes, and say which are not understood"
 
@@ -33,24 +38,42 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
+@dataclass(frozen=True)
+class Equation:
+    """An equation of a file, or what could not be read, and where it stands.
+
+    `statement` is there where its letters are the file's own.
+    """
+
+    source: Source
+    position: int
+    number: str = ""
+    equation: str | None = None
+    condition: str = ""
+    problem: str = ""
+    label: str = ""
+    statement: Statement | None = None
+
+
 def run(options: argparse.Namespace) -> int:
     """Print each equation as text with its line, or the reason why it is unread; 0 in any case."""
-    from rigidtop.notation import OWN, named
-    from rigidtop.read.document import SECONDS
-    from rigidtop.read.project import habits, numbers, sources
+    from rigidtop.notation import named
+    from rigidtop.read.project import macros_of, numbers, sources
 
     until = time.process_time() + SECONDS
-    found = sources(options.file)
-    notation = OWN if options.notation == "own" else named(options.notation)
-    known = habits(found, notation, until)
-    counts = numbers(found)
-    rows = [
-        (source, *row)
-        for source in found
+    files = sources(options.file)
+    notation = None if options.notation == "own" else named(options.notation)
+    macros, counts = macros_of(files), numbers(files)
+    equations = [
+        each
+        for source in files
         if source.is_text
-        for row in _lines(source, found, notation, known, until, counts[source.path])
+        for each in sorted(
+            _equations(source, files, notation, macros, counts[source.path], until),
+            key=lambda each: each.position,
+        )
     ]
-    records = _records(rows, known, len(found) > 1)
+    records = _records(equations, files)
     if options.json:
         print_json(records)
     else:
@@ -58,94 +81,129 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _lines(
-    source: Source,
-    sources: tuple[Source, ...],
-    notation: Notation,
-    habits: Habits,
-    until: float,
-    rows: Sequence[Counted],
-) -> Iterator[tuple[int, int, str, str, Line]]:
-    """Line and column, number, label and equation, of what a file has, and of what was not taken.
+# --- Reading -------------------------------------------------------------------------------------
 
-    `rows` are those that bear a number.
+
+def _equations(
+    source: Source,
+    files: tuple[Source, ...],
+    notation: Notation | None,
+    macros: Macros,
+    rows: Sequence[Counted],
+    until: float,
+) -> Iterator[Equation]:
+    """What a file states, and what of it was not taken; `rows` are those that bear a number.
+
+    What comes behind a time of `time.process_time` is unread.
     """
-    from rigidtop.read.document import bare, each, grouped, problems
-    from rigidtop.read.formula import Line
+    from dataclasses import replace
+
+    from rigidtop.read.document import bare, formulas, numbered, problems
     from rigidtop.read.labels import row_of
     from rigidtop.read.project import left_out
-    from rigidtop.read.walk import places
 
     text = source.text
-    found = [
-        (group.number, line)  # a symbol in a sentence is no equation
-        for group, lines in each(grouped(text), notation, until - time.process_time(), habits)
-        for line in lines
-        if line.equation is not None
-        or group.number
-        or any(formula.display or "=" in formula.text for formula in group.formulas)
-    ]
-    told = {line.position for _, line in found if line.problem}
-    found += [
-        ("", Line(problem.position, None, problem.reason))
-        for problem in (*problems(text), *bare(text))
-        if problem.position not in told
-    ]
-    found += [("", Line(at, None, reason)) for at, reason in left_out(source, sources)]
-    place = places(text)
-    for number, line in sorted(found, key=lambda row: row[1].position):
-        row = row_of(rows, line.position)
-        number = number or line.tag or (row.number if row is not None else "")
-        label = row.label if row is not None else ""
-        yield (*place(min(line.position, len(text))), number, label, line)
+    groups = numbered(text)
+    beside = {x.start: group.number for group in groups for x in group.formulas}
+    lost = [x for group in groups for x in group.formulas if x.problem]
+    told: set[int] = set()
+    for formula in (*formulas(text), *lost):
+        number = beside.get(formula.start, "")
+        if time.process_time() > until:
+            yield Equation(source, formula.start, number, problem="the time for the file was over")
+            continue
+        read = (
+            _in_own_letters(source, formula, macros)
+            if notation is None
+            else _in_letters_of(source, formula, notation, macros)
+        )
+        for each in read:
+            # A symbol in a sentence is no equation.
+            if not (number or formula.display or "=" in formula.text or each.equation):
+                continue
+            row = row_of(rows, each.position)
+            own = number or each.number or (row.number if row is not None else "")
+            told.add(each.position)
+            yield replace(each, number=own, label=row.label if row is not None else "")
+    for problem in (*problems(text), *bare(text)):
+        if problem.position not in told:
+            yield Equation(source, problem.position, problem=problem.reason)
+    for at, reason in left_out(source, files):
+        yield Equation(source, at, problem=reason)
 
 
-def _records(
-    rows: list[tuple[Source, int, int, str, str, Line]], habits: Habits, several: bool
-) -> list[dict[str, object]]:
-    from rigidtop.read.look import products
-    from rigidtop.typeset.letters import is_letter, roles
-    from rigidtop.typeset.text import letter, text
+def _in_own_letters(source: Source, formula: Formula, macros: Macros) -> Iterator[Equation]:
+    """What a formula states where every letter is one of the file's own."""
+    from rigidtop.read.statements import statements
+    from rigidtop.tree.plain import plain
+    from rigidtop.tree.statement import Unread
 
-    known = roles(
-        [line.equation for *_, line in rows if line.equation is not None],
-        {glyph: spoken.role for glyph, spoken in habits.said.items()},
-    )
-    for glyph, spoken in habits.said.items():  # what the file itself says of its letters
-        if letter(glyph) in known:
-            known[letter(glyph)] += f"; line {spoken.line}: {spoken.words}"
-    for _, row, *_, line in rows:
-        first = line.equation.sides[0] if line.equation is not None else None
-        if line.equation is not None and line.equation.relation == "≡" and is_letter(first):
-            known[letter(first.quantity.glyph)] += f"; defined in line {row}"
-    made = []
-    for source, row, column, number, label, line in rows:
-        own = roles([line.equation]) if line.equation is not None else {}
-        written = source.text[line.position : line.position + 200].split("$")[0]
-        multiplied = {
-            run: "a product: each a letter of this file"
-            for run in products(written, habits.letters)
-            if line.equation is not None
-        }
-        record = {
+    if formula.problem:
+        yield Equation(source, formula.start, problem=formula.problem)
+        return
+    for each in statements(formula.text, macros):
+        at = formula.start + each.position
+        if isinstance(each, Unread):
+            yield Equation(source, at, each.tag, problem=each.reason)
+        elif each.relations or formula.display:
+            said = each.condition or ", ".join(map(plain, each.conditions))
+            yield Equation(source, at, each.tag, plain(each), said, statement=each)
+
+
+def _in_letters_of(
+    source: Source, formula: Formula, notation: Notation, macros: Macros
+) -> Iterator[Equation]:
+    """What a formula states in the letters of a table."""
+    from rigidtop.read.equations import equations
+    from rigidtop.typeset.text import text
+
+    if formula.problem:
+        yield Equation(source, formula.start, problem=formula.problem)
+        return
+    for line in equations(formula.text, notation, macros):
+        shown = text(line.equation, "typed") if line.equation is not None else None
+        at = formula.start + line.position
+        yield Equation(source, at, line.tag, shown, problem=line.problem)
+
+
+# --- Telling -------------------------------------------------------------------------------------
+
+
+def _records(equations: Sequence[Equation], files: Sequence[Source]) -> list[dict[str, Any]]:
+    """One object an equation, as ``--json`` has them."""
+    from functools import cache
+
+    from rigidtop.read.declared import declared
+    from rigidtop.read.roles import roles, words
+    from rigidtop.read.walk import places
+
+    place = cache(lambda text: places(text))
+    said = words(each for source in files if source.is_text for each in declared(source.text))
+    known = roles([each.statement for each in equations if each.statement is not None], said)
+    records = []
+    for each in equations:
+        row, column = place(each.source.text)(min(each.position, len(each.source.text)))
+        own = roles([each.statement]) if each.statement is not None else {}
+        record: dict[str, Any] = {
             "line": row,
             "column": column,
-            "number": number,
-            "label": label or None,
-            "equation": text(line.equation, "typed") if line.equation is not None else None,
-            "condition": line.condition or None,
-            "problem": line.problem or None,
-            "letters": {letter: known[letter] for letter in own} | multiplied,
+            "number": each.number,
+            "label": each.label or None,
+            "equation": each.equation,
+            "condition": each.condition or None,
+            "problem": each.problem or None,
+            "letters": {letter: known[letter] for letter in own},
         }
-        if several:
-            record["file"] = source.path.name
-        if source.cells:
-            record["cell"], record["line"] = source.place(row)
-        made.append(record)
-    return made
+        if len(files) > 1:
+            record["file"] = each.source.path.name
+        if each.source.cells:
+            record["cell"], record["line"] = each.source.place(row)
+        records.append(record)
+    return records
 
 
 def _print(records: list[dict[str, Any]]) -> None:
+    """The same as a table, and what the letters are."""
     from rigidtop.terminal.table import table
 
     rows = [

@@ -13,10 +13,11 @@ from rigidtop.judge.meaning import UnclearError, Value, is_vector
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import DEFINITION, Outcome
 from rigidtop.judge.question import Judgement, Question
-from rigidtop.judge.sides import named, own_letters, signed, speaks_of
+from rigidtop.judge.sides import named, own_letters, speaks_of
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
+from rigidtop.tree.several import signed
 
 
 def definition(question: Question, name: Node, other: Node) -> Judgement | None:

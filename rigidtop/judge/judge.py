@@ -18,7 +18,6 @@ from rigidtop.judge.sides import (
     ZERO,
     gives_all_a_value,
     has_components,
-    has_sign,
     letters_in,
     named,
     own_letters,
@@ -28,6 +27,7 @@ from rigidtop.judge.situation import Situation
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
+from rigidtop.tree.several import has_sign
 from rigidtop.tree.statement import Statement
 
 GREATER, LESS = ("≥", ">"), ("≤", "<")

@@ -120,25 +120,6 @@ def with_constant_last(statement: Statement) -> Statement:
 # --- Signs ---------------------------------------------------------------------------------------
 
 
-def has_sign(node: Node) -> bool:
-    """Whether ± stands in it, also in the index of a letter."""
-    return any(
-        isinstance(x, n.PlusMinus) or (isinstance(x, Letter) and ("±" in x.sub or "∓" in x.sub))
-        for x in n.walked(node)
-    )
-
-
-def signed(node: Node, sign: int) -> Node:
-    """An expression with the upper or the lower sign."""
-
-    def chosen(each: Node) -> Node:
-        if isinstance(each, n.PlusMinus):
-            return each.of if (sign > 0) != each.inverted else n.Negative(each.of)
-        return each
-
-    return n.mapped(node, chosen) if has_sign(node) else node
-
-
 def other_root(node: Node) -> Node:
     """A root with the other sign."""
     return n.Negative(node) if isinstance(node, n.Root) else node

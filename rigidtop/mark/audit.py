@@ -25,13 +25,13 @@ from rigidtop.mark.ruling import HOLDS, ORDER, Ruling, any_value, asserted, chec
 from rigidtop.mark.surroundings import Near, among, scaled
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.counterexample import assertions, entries
-from rigidtop.proof.equation import Equation, Partial, Rate, Slope, symbols_of
+from rigidtop.proof.equation import Equation, Partial, Rate, symbols_of
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.page import Check, Claim, Correction, Definition, Evidence, Page, Remark
 from rigidtop.proof.verdict import Finding, Judgement, Verdict, judge, judge_check
 from rigidtop.read.document import Numbered, lines, numbered
-from rigidtop.read.formula import Line
+from rigidtop.read.equations import Line
 from rigidtop.read.walk import places
 from rigidtop.theory.symbols import const
 from rigidtop.typeset.text import text
@@ -183,7 +183,7 @@ def _of_lines(lecture: Lecture, name: str) -> tuple[Check, ...]:
 
 
 def _stated(equation: Equation) -> Check:
-    nodes = set().union(*(side.atoms(Symbol, Rate, Partial, Slope) for side in equation.sides))
+    nodes = set().union(*(side.atoms(Symbol, Rate, Partial) for side in equation.sides))
     meaning = {node: any_value(node) for node in nodes - {const}}
     if const in equation.sides or equation.relation not in ("=", "≡"):
         return Check(equation, meaning)

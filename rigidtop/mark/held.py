@@ -7,8 +7,7 @@ wrong if none does and one change makes it right.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 
@@ -25,8 +24,7 @@ from rigidtop.proof.counterexample import entries
 from rigidtop.proof.equation import NoMeaningError
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.model import Model
-from rigidtop.tree import nodes as n
-from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.several import each_index
 from rigidtop.tree.statement import Statement
 
 A_FORMULA = 5.0
@@ -45,7 +43,7 @@ def _held(row: Row, subject: Subject, judge: Judge, until: float) -> Row:
         return row
     if not {*each.relations} <= {*EQUALS, *NEARLY} or not each.relations:
         return row
-    found = [_by_models(x, at, subject, judge, until) for x in _each_index(each)]
+    found = [_by_models(x, at, subject, judge, until) for x in each_index(each)]
     if all(outcome is not None and outcome.passed for outcome in found):
         return replace(row, outcome=Outcome(SAMPLED, "in the models of the lecture"))
     special = at.supposed or at.case or at.instant or at.asked or at.defined
@@ -74,23 +72,6 @@ def _by_models(
         if outcome.slip:
             return replace(outcome, rests_on=frozenset())
     return None
-
-
-def _each_index(each: Statement) -> Iterator[Statement]:
-    """What is said of several letters at once, of each: ω_{1,2} is ω₁, and ω₂."""
-    lists = {x.sub for x in letters(each) if re.fullmatch(r"\w(,\w)+", x.sub)}
-    counts = {len(x.split(",")) for x in lists}
-    if len(counts) != 1:
-        yield each
-        return
-    for k in range(*counts):
-
-        def chosen(node: Node, k: int = k) -> Node:
-            if isinstance(node, Letter) and node.sub in lists:
-                return replace(node, sub=node.sub.split(",")[k])
-            return node
-
-        yield replace(each, sides=tuple(n.mapped(side, chosen) for side in each.sides))
 
 
 @cache

@@ -14,7 +14,7 @@ from rigidtop.proof.equation import Equation, Meaning, Underbrace, as_printed, s
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.page import Check, Definition, Evidence
 from rigidtop.proof.verdict import Finding, UnneededAssumptionError, Verdict, judge_check
-from rigidtop.read.values import kind
+from rigidtop.read.equations import kind
 from rigidtop.report import plain
 from rigidtop.report.claims import refuted, sides
 from rigidtop.theory.symbols import const, phi, phidot, psi, psidot, theta, thetadot

@@ -23,7 +23,4 @@ NOTES = named("notes")
 GOLDSTEIN = named("goldstein")
 """Goldstein, Poole and Safko."""
 
-OWN = Notation("own", {}, {}, title="The letters of a file, each of its own", open=True)
-"""No table: every letter is one of its own, a vector if it is bold or has an arrow."""
-
-__all__ = ["BUILT_IN", "GOLDSTEIN", "MATRICES", "NOTES", "OWN", "Notation", "named"]
+__all__ = ["BUILT_IN", "GOLDSTEIN", "MATRICES", "NOTES", "Notation", "named"]

@@ -12,7 +12,7 @@ from sympy import Expr, Symbol
 from rigidtop.notation.translate import Image, inverse, translated
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Lettered
-from rigidtop.theory.symbols import Glyph, Quantity
+from rigidtop.theory.symbols import Glyph
 
 MATRICES = frozenset({s.inertia, s.Lambda, s.O_matrix, s.A_matrix, s.B_matrix, s.C_matrix, s.unit})
 """Symbols that stand for square matrices."""
@@ -48,13 +48,6 @@ MEANINGS: Mapping[str, Mapping[Symbol, str]] = {
 """What the letters mean there, where that is not what they mean in the notes."""
 
 
-def own(glyph: Glyph) -> Lettered:
-    """The symbol of a letter that no table has: a number, or a vector if it is bold."""
-    bold = "_vec" if glyph.bold else ""
-    name = "_".join(filter(None, (glyph.base + glyph.accent + "p" * glyph.prime, glyph.sub))) + bold
-    return Lettered(name, Quantity(glyph, "a letter of its own", ""), real=True)
-
-
 @dataclass(frozen=True)
 class Notation:
     """A convention: the glyph of every symbol, and other spellings that are understood too.
@@ -73,8 +66,6 @@ class Notation:
     note: str = ""
     sequence: str = "zyz"
     letters: Mapping[Symbol, Lettered] = field(default_factory=dict)
-    open: bool = False
-    """Whether a letter that is in no table is one of its own, rather than an error."""
 
     @cached_property
     def names(self) -> Mapping[Glyph, Symbol]:
@@ -83,8 +74,7 @@ class Notation:
 
     def symbol(self, glyph: Glyph) -> Symbol | None:
         """The symbol of a glyph, a missing bold type forgiven where it is no other symbol's."""
-        found = self.names.get(glyph) or self.names.get(replace(glyph, bold=True))
-        return own(glyph) if found is None and self.open else found
+        return self.names.get(glyph) or self.names.get(replace(glyph, bold=True))
 
     def written(self, tree: Expr) -> Any:
         """An expression, matrix, condition or `Equation` of the notes, in this notation's symbols.

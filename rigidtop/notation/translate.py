@@ -27,7 +27,6 @@ from rigidtop.proof.equation import (
     Partial,
     Printed,
     Rate,
-    Slope,
     SumOver,
     Transposed,
     Underbrace,
@@ -129,7 +128,7 @@ def _signed(tree: Expr, images: Images) -> Signed:
         return _power(tree, images)
     if isinstance(tree, Derivative):
         return _derivative(tree, images)
-    if isinstance(tree, (Partial, Slope)) and all(x.is_Symbol for x in tree.args[1:]):
+    if isinstance(tree, Partial) and all(x.is_Symbol for x in tree.args[1:]):
         negative, by = _variables([(x, 1) for x in tree.args[1:]], images)
         minus, body = _signed(tree.args[0], images)
         return negative ^ minus, tree.func(body, *(x for x, _ in by))

@@ -74,31 +74,8 @@ class Partial(Printed):
     """``Partial(f, x)``: ∂f/∂x, of a letter f; one thing, into which nothing is put."""
 
 
-class Slope(Printed):
-    """``Slope(f, x)``: df/dx; one thing, into which nothing is put."""
-
-
-class At(Printed):
-    """``At(f, x, y)``: f(x, y), the value of the letter f there."""
-
-
-class Evaluated(Printed):
-    """``Evaluated(body, place)``: the body at a place, which is a symbol named as it is written."""
-
-
-class Integrated(Printed):
-    """``Integrated(body, a, b)``: ∫ from a to b of a body that holds its differential, as a letter.
-
-    ``Integrated(body)`` has no limits, ``Integrated(body, V)`` is over a region.
-    """
-
-
 class SumOver(Printed):
     """``SumOver(k, body)``: Σₖ body.  The meaning of k is a sequence of mappings, one a term."""
-
-
-class SumFrom(Printed):
-    """``SumFrom(k, first, last, body)``: the sum from k = first to last."""
 
 
 class VolumeIntegral(Printed):

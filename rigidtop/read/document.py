@@ -3,26 +3,20 @@
 from __future__ import annotations
 
 import re
-import time
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
 from rigidtop.read import left
-from rigidtop.read.formula import Line, read
-from rigidtop.read.habits import NO_HABITS, Habits
+from rigidtop.read.equations import Line, equations
 from rigidtop.read.left import NUMBER, RELATED, TAG, N, bared
+from rigidtop.read.macros import PACKAGES, Macros
 from rigidtop.read.walk import Formula, Problem, Walk
 
 MOST_NUMBERS = 5_000
 """A file has no more numbered equations."""
-
-SECONDS = 60.0
-"""A file is not read for longer than this (of the processor's time)."""
-
-LATE = "the time for the file was over"
 
 
 @dataclass(frozen=True)
@@ -120,7 +114,7 @@ def _goes_on(
 
 
 def lines(
-    group: Numbered, notation: Notation = NOTES, habits: Habits = NO_HABITS
+    group: Numbered, notation: Notation = NOTES, macros: Macros = PACKAGES
 ) -> tuple[Line, ...]:
     """The equations of a number, with their places in the file."""
     for formula in group.formulas:
@@ -137,7 +131,9 @@ def lines(
         begun, start = max(pair for pair in starts if pair[0] <= position)
         return start + position - begun
 
-    made = [replace(line, position=place(line.position)) for line in read(text, notation, habits)]
+    made = [
+        replace(line, position=place(line.position)) for line in equations(text, notation, macros)
+    ]
     return tuple(_of_number(made, group.number))
 
 
@@ -152,31 +148,3 @@ def _of_number(made: Sequence[Line], number: str) -> Sequence[Line]:
     before = [i + 1 for i in tagged if i < here[0]]
     behind = here[-1] + 1 if here[-1] < tagged[-1] else len(made)
     return made[max(before, default=0) : behind]
-
-
-def alone(source: str) -> tuple[Numbered, ...]:
-    """Every formula of a file by itself, without its number."""
-    return tuple(Numbered("", (formula,)) for formula in formulas(source))
-
-
-def grouped(source: str) -> tuple[Numbered, ...]:
-    """Every number of a file with its formulas, and every formula that has none, in order."""
-    made = numbered(source)
-    inside = {formula.start for group in made for formula in group.formulas}
-    others = [each for each in alone(source) if each.formulas[0].start not in inside]
-    return tuple(sorted((*made, *others), key=lambda group: group.formulas[0].start))
-
-
-def each(
-    groups: Iterable[Numbered],
-    notation: Notation = NOTES,
-    seconds: float = SECONDS,
-    habits: Habits = NO_HABITS,
-) -> Iterator[tuple[Numbered, tuple[Line, ...]]]:
-    """Formulas with their equations; once the time is up the rest is unread, and says so."""
-    end = time.process_time() + seconds
-    for group in groups:
-        if time.process_time() > end:
-            yield group, (Line(group.formulas[0].start, None, LATE),)
-        else:
-            yield group, lines(group, notation, habits)

@@ -163,9 +163,11 @@ class Grammar:
     def inner(self, items: Sequence[Token]) -> Grammar:
         return Grammar(items, self.reading, self.counted(self.depth))
 
-    def argument(self) -> tuple[Token, ...]:
+    def argument(self, depth: int = 0) -> tuple[Token, ...]:
         """What a command or an index takes: a group, or one token with what that takes itself."""
         token = self.peek()
+        if depth > DEEPEST:
+            raise UnreadError(f"nested deeper than {DEEPEST}", self.place())
         if token.kind == "group":
             return self.take().group
         if token.kind == "number" and len(token.text) > 1 and token.text[1] != ".":
@@ -178,7 +180,7 @@ class Grammar:
         self.take()
         if token.kind == "command":
             for _ in range(2 if token.text in FRACTIONS else 1):
-                self.argument()
+                self.argument(depth + 1)
         elif token.kind == "open":
             self.at = self.partners.get(start, start) + 1
         return tuple(self.items[start : self.at])
@@ -309,7 +311,7 @@ class Grammar:
                 return unit
         if kind == "command":
             if token.text not in _COMMANDS:
-                raise UnreadError(f"the command {token.text}", token.position)
+                raise UnreadError(f"the command {token.text} is not known", token.position)
             return _COMMANDS[token.text](self)
         if kind in ("upright", "words"):
             return self.word(before)
@@ -418,7 +420,7 @@ class Grammar:
         if text in ("d", "∂") and (node := self.differentiated(text)):
             return node
         self.take()
-        unit = units(text)
+        unit = units(text) if self.peek().kind != "open" else None  # K(m) is no kelvin
         if unit and before and (len(text) > 1 or not letters(before[-1])):
             return unit
         if text.strip(". ").lower() in CONSTANT:
@@ -473,7 +475,8 @@ class Grammar:
             return False
         if token.text == "d" and self.is_differential():
             return False
-        if not isinstance(last, (Letter, Number, Power)) or self.spelled():
+        share = isinstance(last, Quotient) and not letters(last)  # cos ½θ
+        if not (share or isinstance(last, (Letter, Number, Power))) or self.spelled():
             return False
         return not (letters(last) and {each.base for each in letters(last)} <= _ANGLES)
 

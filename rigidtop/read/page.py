@@ -35,7 +35,7 @@ from rigidtop.proof.lecture import Block, Fault, Heading, Lecture, Prose, Shown,
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
-from rigidtop.read.formula import read
+from rigidtop.read.equations import equations as read
 from rigidtop.read.tex import unread
 from rigidtop.read.walk import places
 

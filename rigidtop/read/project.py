@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import re
-import time
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -16,19 +15,10 @@ from functools import cached_property
 from pathlib import Path
 
 from rigidtop.errors import RigidtopError
-from rigidtop.notation import Notation
-from rigidtop.read.document import formulas
-from rigidtop.read.formula import with_habits
-from rigidtop.read.habits import Habits
-from rigidtop.read.kinds import Spoken
 from rigidtop.read.labels import Counted, counted
-from rigidtop.read.look import components, has_own_pi
 from rigidtop.read.macros import PACKAGES, Macros, defined
-from rigidtop.read.spoken import spoken
-from rigidtop.read.tex import UnreadError
 from rigidtop.read.walk import LONGEST
 from rigidtop.terminal.files import text_of
-from rigidtop.theory.symbols import Glyph
 
 DEEPEST = 8
 """Files are not taken into files deeper."""
@@ -43,11 +33,6 @@ _TAKES_IN = re.compile(
     r"\\(input|include|subfile|usepackage|RequirePackage)\s*(?:\[[^\]\n]*\]\s*)?"
     r"\{([^{}\n]{1,200})\}"
 )
-_SCRIPTS = re.compile(
-    r"(?:(?<![A-Za-z])e\s*(?=\^))?[_^]\s*(?:\{[^{}]*\}|\w)|\\[A-Za-z]+(?:\s*\{[A-Za-z .,]*\})?"
-)
-_ALONE = re.compile(r"(?<![A-Za-z])[A-Za-z](?![A-Za-z])")
-"""A letter between signs, outside of commands, their words and indices; e^x says nothing of e."""
 _COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 
 
@@ -225,35 +210,3 @@ def _notebook(path: Path) -> Source:
         lines.append(line)
         line += text.count("\n") + 2
     return Source(path, "\n\n".join(texts), tuple(lines))
-
-
-def habits(found: tuple[Source, ...], notation: Notation, until: float = float("inf")) -> Habits:
-    """The macros of files that belong together, their functions, and what they say of letters.
-
-    All but the macros are looked for until a time of `time.process_time`.
-    """
-    macros = macros_of(found)
-    if not notation.open:
-        return Habits(macros, conditions=True, signs=True)
-    texts = [formula.text for source in found for formula in formulas(source.text)]
-    said: dict[Glyph, Spoken] = {}
-    for source in reversed(found):
-        said |= spoken(source.text, notation)
-    made = Habits(
-        macros,
-        timed=frozenset(x for x, each in said.items() if each.timed),
-        said=said,
-        letters=frozenset(
-            letter for written in texts for letter in _ALONE.findall(_SCRIPTS.sub(" ", written))
-        )
-        | ({"π"} if any(map(has_own_pi, texts)) else set()),
-        components=frozenset().union(*map(components, texts)),
-    )
-    for written in texts:
-        if "(" not in written or time.process_time() > until:
-            continue
-        try:
-            made = with_habits(made, written, notation)
-        except UnreadError:
-            continue
-    return made

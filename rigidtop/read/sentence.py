@@ -45,7 +45,7 @@ from sympy import Expr, Symbol
 from rigidtop.notation import Notation
 from rigidtop.proof.equation import BODY, SPACE, Equation, symbols_of
 from rigidtop.proof.moves import Condition, Known, Move
-from rigidtop.read.formula import read
+from rigidtop.read.equations import equations as read
 from rigidtop.theory.symbols import Glyph, const
 
 

@@ -9,6 +9,7 @@ Unread(position=4, reason='a term is missing before ,', tag='')
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Final
@@ -34,6 +35,9 @@ from rigidtop.tree.plain import plain
 from rigidtop.tree.statement import Statement, Unread
 
 Read = tuple[Statement | Unread, ...]
+
+_NUMBER: Final = re.compile(r"\((\d+(?:\.\d+)*[a-z]?)\)")
+"""Words that are the number of an equation."""
 
 _CONDITIONAL: Final = listed(
     "for if when whenever unless provided assuming as at für wenn falls bei pour quand si para "
@@ -244,10 +248,14 @@ class _Text(Grammar):
         return isinstance(last, Statement) and bool(last.conditions)
 
     def said(self, token: Token) -> None:
+        number = _NUMBER.fullmatch(token.text.strip(" ,.;:"))
+        if number:
+            self.tag = number[1]
+            self.numbered()
+            return
         words = token.text.strip(" ,.;:()")
-        first = words.lower().split(" ")[0] if words else ""
         last = self.found[-1] if self.found else None
-        self.condition = first in _CONDITIONAL and isinstance(last, Statement)
+        self.condition = is_conditional(words) and isinstance(last, Statement)
         if isinstance(last, Statement) and (self.condition or " " in words):
             said = f"{last.condition} {words}".strip()
             self.found[-1] = replace(last, condition=said)
@@ -348,6 +356,11 @@ class _Text(Grammar):
             rest = _Text([*value.items[value.at :], *behind], self.reading, self.depth + 1)
             rest.found, rest.condition = [made], True
             self.found[-1:] = rest.all()
+
+
+def is_conditional(words: str) -> bool:
+    """Whether words beside a statement say when it holds, and are no comment."""
+    return words.lower().split(" ")[0] in _CONDITIONAL if words else False
 
 
 def _number(draft: _Draft) -> str:

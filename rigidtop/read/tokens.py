@@ -13,11 +13,24 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from rigidtop.notation.characters import GREEK
-from rigidtop.read.tex import Piece, UnreadError, commands, flat, listed, pieces, plain, said
+from rigidtop.read.tex import (
+    DEEPEST,
+    Piece,
+    UnreadError,
+    commands,
+    flat,
+    listed,
+    pieces,
+    plain,
+    said,
+)
 from rigidtop.read.unit_names import spelled
 
 MOST = 4_000
 """A formula has no more tokens."""
+
+DIGITS = 40
+"""A number has no more digits."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,6 +199,8 @@ LINES: Final = listed(
     "subequations multlined dmath displaymath math IEEEeqnarray Aligned rcases empheq"
 )
 """Environments of which each row is read by itself."""
+_PLACED: Final = ("t", "b", "c")
+"""Options that say where an environment stands."""
 CASES: Final = listed("cases dcases numcases")
 MATRICES: Final = {
     "matrix": "",
@@ -205,16 +220,18 @@ _ACCENTED: Final = {"\u20d7": r"\vec", "\u0304": r"\bar", "\u0303": r"\tilde"}
 _LENGTH = re.compile(r"-?[\d.]+(?:pt|em|ex|mm|cm|in|baselineskip)")
 
 
-def tokens(items: Sequence[Piece]) -> tuple[Token, ...]:
-    """The tokens of pieces; `UnreadError` for what does not end, or never began."""
-    return tuple(_Scan(items).all())
+def tokens(items: Sequence[Piece], depth: int = 0) -> tuple[Token, ...]:
+    """The tokens of pieces; `UnreadError` for what does not end, never began, or is too deep."""
+    if depth > DEEPEST:
+        raise UnreadError(f"nested deeper than {DEEPEST}", items[0].position if items else 0)
+    return tuple(_Scan(items, depth).all())
 
 
 class _Scan:
     """Walks over pieces and keeps the tokens that come of them."""
 
-    def __init__(self, items: Sequence[Piece]) -> None:
-        self.items, self.at = items, 0
+    def __init__(self, items: Sequence[Piece], depth: int) -> None:
+        self.items, self.at, self.depth = items, 0, depth
         self.found: list[Token] = []
         self.spaced = False
         self.lefts: list[int] = []
@@ -225,6 +242,10 @@ class _Scan:
                 raise UnreadError(f"more than {MOST} symbols and signs", self.place())
             self.next()
         return [token for token in self.found if token.kind != "nothing"]
+
+    def inner(self, items: Sequence[Piece]) -> tuple[Token, ...]:
+        """The tokens of what stands within."""
+        return tokens(items, self.depth + 1)
 
     def place(self) -> int:
         return self.items[min(self.at, len(self.items) - 1)].position
@@ -266,7 +287,7 @@ class _Scan:
         elif text == "{}" and not piece.group and not self.is_taken():
             pass  # a {} keeps the spaces of a sign, and says nothing
         elif text == "{}":
-            self.put("group", "", piece.position, tokens(piece.group))
+            self.put("group", "", piece.position, self.inner(piece.group))
         elif text[0] == "\\":
             known = text[1:] in FUNCTIONS
             self.put("upright" if known else "command", text[1:] if known else text, piece.position)
@@ -331,6 +352,8 @@ class _Scan:
             else:
                 break
             end = ahead.position + 1
+        if len(text) > DIGITS:
+            raise UnreadError(f"a number of more than {DIGITS} digits", first.position)
         self.put("number", text, first.position)
 
     def is_comma(self, text: str) -> bool:
@@ -383,11 +406,13 @@ class _Scan:
             depth += {r"\begin": 1, r"\end": -1}.get(self.take().text, 0)
         inside = list(self.items[start : self.at - 1])
         self.argument()
-        while inside and inside[0].text == "[":
-            inside = inside[1 + [*(each.text for each in inside), "]"].index("]") :]
+        texts = [*(each.text for each in inside), "]"]
+        option = "".join(texts[1 : texts.index("]")]) if texts[0] == "[" else ""
+        if option in _PLACED or (option and name == "empheq"):  # else it is a row: [a, b, c]^T
+            inside = inside[texts.index("]") + 1 :]
         if name in ("array", "alignat", "alignedat", "IEEEeqnarray", "empheq", "numcases"):
             inside = inside[1:] if inside and inside[0].text == "{}" else inside
-        group = tokens(inside)
+        group = self.inner(inside)
         related = any(each.kind in ("relation", "environment") for each in group)
         cased = any(each.text == "cases" for each in group)
         braced = bool(self.found) and self.found[-1].kind == "open"
@@ -430,7 +455,7 @@ class _Scan:
                 parts[-1].append(each)
         for count, part in enumerate(parts):
             if count % 2:
-                self.found += tokens(part)
+                self.found += self.inner(part)
             elif said(part):
                 self.put("words", said(part), part[0].position)
         if between:
@@ -443,7 +468,7 @@ class _Scan:
         """Letters that stand upright; those of the name of an operator are no product."""
         inside = self.argument()
         named = piece.text.startswith(r"\operatorname")
-        self.put("upright", said(inside), piece.position, () if named else tokens(inside))
+        self.put("upright", said(inside), piece.position, () if named else self.inner(inside))
 
     def measure(self, piece: Piece) -> None:
         r"""A unit: ``\si{m/s^2}``."""
@@ -453,7 +478,7 @@ class _Scan:
         r"""A number with its unit: ``\SI{9.8}{m/s^2}``."""
         digits, _, power = said(self.argument()).replace(" ", "").partition("e")
         number = digits + (rf"\cdot 10^{{{power}}}" if power else "")
-        self.found += [replace(x, position=piece.position) for x in tokens(pieces(number))]
+        self.found += [replace(x, position=piece.position) for x in self.inner(pieces(number))]
         self.measure(piece)
 
     def sized(self, piece: Piece) -> None:
@@ -468,7 +493,7 @@ class _Scan:
             rest: Sequence[Piece] = (self.take(),)
         else:
             rest, self.at = self.items[self.at :], len(self.items)
-        self.found += tokens(
+        self.found += self.inner(
             (Piece(font, piece.position), Piece("{}", piece.position, tuple(rest)))
         )
 
@@ -483,7 +508,7 @@ class _Scan:
     def stacked(self, piece: Piece) -> None:
         """What stands above or below a sign is left out."""
         self.argument()
-        self.found += tokens(self.argument())
+        self.found += self.inner(self.argument())
 
     def negated(self, piece: Piece) -> None:
         self.at += self.text() in ("=", r"\equiv")
@@ -514,7 +539,7 @@ class _Scan:
         over = (sign, *raised, *of)
         under = [each for part in by for each in (sign, *part, *raised)]
         groups = (Piece("{}", piece.position, tuple(part)) for part in (over, under))
-        self.found += tokens((Piece(r"\frac", piece.position), *groups))
+        self.found += self.inner((Piece(r"\frac", piece.position), *groups))
 
     def matrix(self, piece: Piece) -> None:
         """A matrix of the package physics."""
@@ -522,10 +547,10 @@ class _Scan:
         self.at += bool(inside)
         if len(inside) > 2 and inside[0].text in "([" and inside[-1].text in ")]":
             self.put("open", inside[0].text, piece.position)
-            self.put("environment", "matrix", piece.position, tokens(inside[1:-1]))
+            self.put("environment", "matrix", piece.position, self.inner(inside[1:-1]))
             self.put("close", inside[0].text, piece.position)
         else:
-            self.put("environment", "matrix", piece.position, tokens(inside))
+            self.put("environment", "matrix", piece.position, self.inner(inside))
 
 
 _HANDLERS: Final[dict[str, Callable[[_Scan, Piece], None]]] = {

@@ -10,31 +10,24 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
-from typing import Any
 
-from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import Verdict
-from rigidtop.report.html import NARROW, badge, style
+from rigidtop.report.html import badge, style
 from rigidtop.terminal.visible import visible
-from rigidtop.typeset import mathml, sizes
+from rigidtop.typeset import mathml
 from rigidtop.typeset.sentences import prose_html
-
-NARROWER = NARROW - 4
-"""How many letters wide a line is on a small screen inside the frame of an equation."""
 
 
 @dataclass(frozen=True)
 class Formula:
     """A formula and its place in the text, dollars included.
 
-    `trees` are the equations, or the expression, that were read.  Where nothing was, its `signs`
-    are shown, a ``<math>`` element, and where it has none the TeX `source`.
+    Its `signs` are shown, a ``<math>`` element, and where it has none the TeX `source`.
     """
 
     start: int
     end: int
     source: str
-    trees: tuple[Any, ...] = ()
     display: bool = False
     signs: str = ""
 
@@ -128,9 +121,9 @@ def write(
 <div class="notes" id="content">
 {body}
 </div>
-<footer class="colophon"><p>Each numbered equation as it was read, with the verdict of the
-collection of derivations; of other formulas what is wrong is marked, and the
-rest is counted. What was not read is set sign by sign, as it is written.</p></footer>
+<footer class="colophon"><p>Each numbered equation with the verdict of the collection of
+derivations; of other formulas what is wrong is marked, and the rest is
+counted. All are set sign by sign, as they are written.</p></footer>
 </main>
 </body>
 </html>
@@ -179,28 +172,12 @@ def _framed(mark: Mark, n: int) -> str:
 
 
 def _block(formula: Formula) -> str:
-    if not formula.trees:
-        return _unread(formula)
-    wide, narrow = (
-        mathml.display(formula.trees, "printed", limit) for limit in (sizes.LINE, NARROWER)
-    )
-    if wide == narrow:
-        return wide
-    return wide.replace("<math", '<math class="wide"', 1) + narrow.replace(
-        "<math", '<math class="narrow"', 1
-    )
-
-
-def _unread(formula: Formula) -> str:
     return formula.signs or f"<code>{escape(_clean(formula.source.strip()))}</code>"
 
 
 def _inline(formula: Formula) -> str:
-    if formula.display and all(isinstance(tree, Equation) for tree in formula.trees):
-        return f'<span class="shown eq">{_block(formula)}</span>'
-    if not formula.trees:
-        return _unread(formula)
-    return ", ".join(mathml.mathml(tree, "printed") for tree in formula.trees)
+    shown = _block(formula)
+    return f'<span class="shown eq">{shown}</span>' if formula.display else shown
 
 
 # --- Text ----------------------------------------------------------------------------------------

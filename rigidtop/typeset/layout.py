@@ -25,20 +25,15 @@ from sympy import Add, Basic, Expr, Mul, Pow, Symbol
 from sympy.core.relational import Relational
 
 from rigidtop.proof.equation import (
-    At,
     Cross,
     Dot,
     Equation,
-    Evaluated,
     Group,
     IntegralOver,
-    Integrated,
     Matrices,
     Partial,
     Printed,
     Rate,
-    Slope,
-    SumFrom,
     SumOver,
     Transposed,
     Underbrace,
@@ -251,17 +246,12 @@ def _(tree: Expr, order: Order) -> lay.Node:
     return lay.Infix("×" if isinstance(tree, Cross) else "·", left, right)
 
 
-@_node.register(Partial)
-@_node.register(Slope)
-def _(tree: Expr, order: Order) -> lay.Node:
-    body, *by = tree.args
+@_node.register
+def _(tree: Partial, order: Order) -> lay.Node:
+    body, by = tree.args
     shown, inside = _node(body, order), isinstance(body, Symbol)
-    for variable in reversed(by):
-        shown = shown if inside else lay.bracketed(shown)
-        partial = isinstance(tree, Partial)
-        shown = lay.Derivative(shown, _node(variable, order), partial, inside)
-        inside = False
-    return shown
+    shown = shown if inside else lay.bracketed(shown)
+    return lay.Derivative(shown, _node(by, order), True, inside)
 
 
 @_node.register
@@ -278,35 +268,10 @@ def _(tree: Rate, order: Order) -> lay.Node:
 
 
 @_node.register
-def _(tree: At, order: Order) -> lay.Node:
-    letter, *arguments = (_node(part, order) for part in tree.args)
-    name = letter if isinstance(letter, lay.Letter) else lay.Letter(Glyph("?"))
-    return lay.Apply(name, tuple(arguments), brackets=True)
-
-
-@_node.register
-def _(tree: Evaluated, order: Order) -> lay.Node:
-    body, place = tree.args
-    return lay.product([lay.bracketed(_node(body, order)), lay.Letter(Glyph("|", str(place)))])
-
-
-@_node.register
-def _(tree: Integrated, order: Order) -> lay.Node:
-    body, *limits = (_node(part, order) for part in tree.args)
-    return lay.Big("∫", None, _under_big(body), tuple(limits) or None)
-
-
-@_node.register
 def _(tree: SumOver, order: Order) -> lay.Node:
     index, body = tree.args
     shown = _node(index, order) if str(index) else None
     return lay.Big("∑", shown, _under_big(_node(body, order)))
-
-
-@_node.register
-def _(tree: SumFrom, order: Order) -> lay.Node:
-    index, first, last, body = (_node(part, order) for part in tree.args)
-    return lay.Big("∑", index, _under_big(body), (first, last))
 
 
 @_node.register

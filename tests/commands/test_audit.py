@@ -130,7 +130,9 @@ def test_what_is_open_is_told_by_reason_and_is_no_failure(capsys, file):
     )
     assert main(["audit", file(lines)]) == 0
     shown = " ".join(capsys.readouterr().out.split())
-    assert "9 unread the command \\oops (0), (1), (2), (3), (4), (5) and 3 more" in shown
+    assert (
+        "9 unread the command \\oops is not known (0), (1), (2), (3), (4), (5) and 3 more" in shown
+    )
     assert shown.endswith(
         "18 formulas: none could be compared with what stands above; 9 say something new; "
         "9 could not be read"

@@ -18,7 +18,8 @@ from rigidtop.proof.equation import Equation, Rate, Underbrace, value
 from rigidtop.proof.page import Assumption, Check, Correction, Definition, Page, claim
 from rigidtop.proof.verdict import judge
 from rigidtop.read.document import lines, numbered
-from rigidtop.read.formula import kind, read
+from rigidtop.read.equations import equations as read
+from rigidtop.read.equations import kind
 from rigidtop.theory.symbols import (
     F_k,
     Omega,

@@ -2,6 +2,7 @@
 
 import ast
 import io
+import json
 import random
 import re
 import time
@@ -19,8 +20,8 @@ from rigidtop.derivations import PAGES
 from rigidtop.errors import RigidtopError
 from rigidtop.mark.audit import audit
 from rigidtop.read import document, tex, walk
-from rigidtop.read.formula import read
-from rigidtop.read.values import DEEPEST
+from rigidtop.read.equations import DEEPEST
+from rigidtop.read.equations import equations as read
 from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.text import text
 
@@ -332,10 +333,6 @@ def test_what_is_not_judged_or_read_in_time_says_so():
     assert [(each.verdict, each.passed, each.note) for each in found] == [
         ("unread", False, "not judged: the time for the file was over")
     ] * 2
-    late = list(document.each(document.numbered(source), seconds=-1))
-    assert ["for the file was over" in line.problem for _, [line] in late] == [True] * 2
-    [(_, lines)] = document.each(document.numbered(source[:18]))
-    assert lines[0].equation is not None
 
 
 def test_under_one_number_only_so_many_lines_are_judged():
@@ -351,14 +348,13 @@ def test_standard_input_has_an_end(monkeypatch, capsys):
     assert "standard input: it has more than 4000000 characters" in capsys.readouterr().err
 
 
-def test_once_the_time_is_up_the_rest_is_unread_and_says_so():
-    source = "$E = T$ and $E = V$"
-    found = list(document.each(document.alone(source), seconds=-1))
-    assert len(found) == 2
-    assert all("the file was over" in line.problem for _, lines in found for line in lines)
-    assert all(
-        line.equation for _, lines in document.each(document.alone(source)) for line in lines
-    )
+def test_once_the_time_is_up_the_rest_is_unread_and_says_so(monkeypatch, tmp_path, capsys):
+    file = tmp_path / "own.md"
+    file.write_text("$E = T$ and $$E = V$$\n", "utf-8")
+    monkeypatch.setattr("rigidtop.commands.read.SECONDS", -1.0)
+    assert main(["read", str(file), "--json"]) == 0
+    records = json.loads(capsys.readouterr().out)
+    assert [each["problem"] for each in records] == ["the time for the file was over"] * 2
 
 
 # --- Nothing is evaluated ------------------------------------------------------------------------
@@ -386,7 +382,9 @@ def calls(source):
     }
 
 
-@pytest.mark.parametrize("module", ["tex.py", "scan.py", "formula.py", "document.py", "walk.py"])
+@pytest.mark.parametrize(
+    "module", ["tex.py", "grammar.py", "equations.py", "document.py", "walk.py"]
+)
 def test_no_module_evaluates_text(module):
     [path] = [path for path in MODULES if path.name == module]
     assert calls(path.read_text("utf-8")) == set()

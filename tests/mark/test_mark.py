@@ -16,8 +16,7 @@ from rigidtop.mark.answer import mark as mark_task
 from rigidtop.mark.marking import Mark
 from rigidtop.mark.task import task
 from rigidtop.notation import NOTES
-from rigidtop.read import formula
-from rigidtop.read.habits import Habits
+from rigidtop.read.equations import equations
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex
 
@@ -263,7 +262,7 @@ def changed(name):
             found += changes(*each.sides, known, frozenset())
     for change in found[:: max(1, len(found) // TRIED)]:
         written = f"{latex(change.left)} = {latex(change.right)}"
-        [line] = formula.read(written, NOTES, Habits())
+        [line] = equations(written, NOTES)
         with suppress(ArithmeticError, AttributeError, KeyError, TypeError, ValueError):
             yield motions.is_wrong(line.equation, start, goal), written
 

@@ -10,7 +10,7 @@ from rigidtop.notation import BUILT_IN, GOLDSTEIN, NOTES, named
 from rigidtop.proof.equation import value
 from rigidtop.proof.page import Check
 from rigidtop.proof.verdict import Verdict, judge_check
-from rigidtop.read.formula import read
+from rigidtop.read.equations import equations as read
 from rigidtop.theory import symbols as s
 from rigidtop.theory.rotation import euler_omega
 from rigidtop.typeset.latex import latex

@@ -2,10 +2,9 @@
 
 import pytest
 
-from rigidtop.notation import OWN
-from rigidtop.read.formula import read
 from rigidtop.read.labels import counted
-from rigidtop.typeset.text import text
+from rigidtop.read.statements import statements
+from rigidtop.tree.plain import plain
 
 EQ = "\\begin{equation}\\label{%s} a = b \\end{equation}\n"
 
@@ -22,8 +21,8 @@ def test_an_article_counts_through():
 def test_a_label_with_its_kind_is_no_formula():
     source = EQ.replace("label", "label[equation]") % "x"
     assert numbers(source) == [("1", "x")]
-    [line] = read(r"\label[equation]{x} a = b", OWN)
-    assert text(line.equation) == "a = b"
+    [line] = statements(r"\label[equation]{x} a = b")
+    assert plain(line) == "a = b"
 
 
 @pytest.mark.parametrize(

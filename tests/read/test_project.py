@@ -7,9 +7,7 @@ import pytest
 
 from rigidtop.cli import main
 from rigidtop.errors import RigidtopError
-from rigidtop.notation import OWN
-from rigidtop.read.document import alone, each
-from rigidtop.read.project import habits, macros_of, numbers, sources, whole
+from rigidtop.read.project import macros_of, numbers, sources, whole
 
 
 @pytest.fixture
@@ -40,9 +38,9 @@ def test_a_project_is_read_with_what_it_takes_in(project, capsys):
     shown = [(r["file"], r["number"], r["equation"] or r["problem"]) for r in records]
     assert shown == [
         ("main.tex", "", r"\include{../outside} is not read: there is no such file in the folder"),
-        ("main.tex", "1", "F = ½p"),
-        ("one.tex", "", "V(x) = ½kx²"),
-        ("two.tex", "", r"the command \x is not known of TeX"),
+        ("main.tex", "1", "F = ½ p"),
+        ("one.tex", "", "V(x) = ½ k x²"),
+        ("two.tex", "", r"the command \x is not known"),
     ]
 
 
@@ -56,7 +54,7 @@ def test_letters_are_said(tmp_path, capsys):
     assert "L a number here: the Lagrangian, or the size of an angular momentum?" in said
     assert "V a function of x" in said
     assert "F a vector" in said
-    assert "F = mr̈ [for all t]" in said
+    assert "F = m r̈ [for all t]" in said
     path.write_text("$$\\frac{\\partial L}{\\partial\\dot q} = p$$ with $L$ any.\n", "utf-8")
     assert main(["read", str(path)]) == 0
     assert "L differentiated by q̇, the Lagrangian" in " ".join(capsys.readouterr().out.split())
@@ -92,13 +90,12 @@ HOSTILE = {
 
 
 @pytest.mark.parametrize("name", HOSTILE)
-def test_what_is_hostile_is_read_in_time(name, tmp_path):
+def test_what_is_hostile_is_read_in_time(name, tmp_path, capsys):
     path = tmp_path / "notes.md"
     path.write_text(HOSTILE[name], "utf-8")
     begun = time.process_time()
-    found = sources(path)
-    known = habits(found, OWN)
-    assert all(lines for _, lines in each(alone(found[0].text), OWN, habits=known))
+    assert main(["read", str(path), "--json"]) == 0
+    json.loads(capsys.readouterr().out)
     assert time.process_time() - begun < 20
 
 
@@ -124,19 +121,13 @@ def test_equations_are_counted_through_the_files_that_are_taken_in(tmp_path):
             assert source.text[row.start : row.end].strip().startswith("a = b")
 
 
-def test_letters_that_stand_alone_make_products_and_powers(tmp_path, capsys):
+def test_a_row_of_letters_is_their_product(tmp_path, capsys):
     file = tmp_path / "a.md"
-    file.write_text(
-        "Mass $m$, height $h$, $g = 9.8$, $u = 2$, the eccentricity $e$, $s$, $p$, $i$, $n$:\n"
-        "$$E = mghu,\\quad spin = 3,\\quad b = a\\sqrt{1 - e^2},\\quad x = e^{2t}$$\n"
-    )
+    file.write_text("Mass $m$:\n$$E = mghu,\\quad b = a\\sqrt{1 - e^2},\\quad x = e^{2t}$$\n")
     assert main(["read", str(file), "--json"]) == 0
-    read = {row["equation"] or row["problem"]: row for row in json.loads(capsys.readouterr().out)}
-    assert read["E = mghu"]["letters"]["mghu"] == "a product: each a letter of this file"
-    assert "spin: a word or a product? put words in \\text{}, spaces between letters" in read
-    assert {"b = a√(1 − e²)", "x = e^(2t)"} < set(read)
-    assert "e" in read["b = a√(1 − e²)"]["letters"]
-    assert "e" not in read["x = e^(2t)"]["letters"]
+    energy, axis, growth = json.loads(capsys.readouterr().out)
+    assert (energy["equation"], energy["letters"]["m"]) == ("E = m g h u", "mass")
+    assert (axis["equation"], growth["equation"]) == ("b = a √(1 − e²)", "x = e^(2 t)")
 
 
 def test_both_signs_are_read_in_the_letters_of_a_table_too(tmp_path, capsys):

@@ -3,7 +3,7 @@
 import pytest
 
 from rigidtop.proof.equation import Equation
-from rigidtop.read.formula import read
+from rigidtop.read.equations import equations as read
 
 LATEX = {
     "3.33": (r"0 = \dot{\mathbf{L}} = \frac{d}{dt}(I\boldsymbol{\omega})"),

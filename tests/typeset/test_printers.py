@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from sympy import And, Eq, Float, Ge, Gt, Le, Ne, Rational, Symbol, cos, pi, sin, sqrt, symbols
 
 from rigidtop.proof.equation import Cross, Dot, Equation, Group, as_printed, value
-from rigidtop.read.formula import read
+from rigidtop.read.equations import equations as read
 from rigidtop.theory.symbols import (
     L3,
     VOCABULARY,

@@ -1,0 +1,554 @@
+r"""Statements become equations of SymPy, in the letters of a notation.
+
+>>> from rigidtop.notation import NOTES
+>>> from rigidtop.typeset.text import text
+>>> [line] = equations(r"\lambda_1\cos\theta\,\Omega^2 = L_3\Omega - MgR \tag{3.57}", NOTES)
+>>> text(line.equation), line.tag
+('λ₁ cos θ Ω² = L₃Ω − MgR', '3.57')
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import reduce
+from itertools import pairwise
+from typing import Any
+
+import sympy
+from sympy import Add, Integer, MatrixBase, Mul, Pow, Rational, Symbol
+
+from rigidtop.notation import MATRICES, NOTES, Notation
+from rigidtop.proof import equation as eq
+from rigidtop.proof.equation import Equation
+from rigidtop.read.macros import PACKAGES, Macros
+from rigidtop.read.statements import Read, is_conditional, statements
+from rigidtop.theory import symbols as s
+from rigidtop.theory.lettered import known
+from rigidtop.theory.symbols import VOCABULARY, Glyph
+from rigidtop.tree import nodes as n
+from rigidtop.tree.plain import plain
+from rigidtop.tree.several import each_index, each_sign
+from rigidtop.tree.statement import Statement, Unread
+
+
+class UnknownError(Exception):
+    """A node that has no place in an equation of a page, and why."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """An equation that was read, or why it was not.
+
+    `position` is where it begins in the text, or where what can't be read stands; `tag`
+    is the equation's number.
+    """
+
+    position: int
+    equation: Equation | None
+    problem: str = ""
+    tag: str = ""
+
+
+LARGEST = 6
+"""A matrix that is written out has no more rows or columns."""
+
+DEEPEST = 100
+"""No expression is a deeper tree; a sum of n terms is one of n levels."""
+
+RAISED = 20
+"""No power is higher, powers of powers multiplied: SymPy may multiply it out."""
+
+DIGITS = 400
+"""No number has more, were its powers computed."""
+
+
+def equations(text: str, notation: Notation = NOTES, macros: Macros = PACKAGES) -> tuple[Line, ...]:
+    """The equations of a formula, in order, each read or with the reason why not.
+
+    Nothing of the text is evaluated, and its size and depth are limited, and its powers.
+    """
+    lines: list[Line] = []
+    for each in _whole(statements(text, macros)):
+        if isinstance(each, Unread):
+            lines.append(Line(each.position, None, each.reason, each.tag))
+        else:
+            lines += _of_each(each, notation)
+    return tuple(lines)
+
+
+def _of_each(statement: Statement, notation: Notation) -> list[Line]:
+    """The lines of a statement; of both signs of ±; of ω₁ and ω₂, where ω_{1,2} is no symbol."""
+    for several in (each_sign, each_index):
+        statements = [*several(statement)]
+        lines = [line for each in statements for line in _lines(each, notation)]
+        if all(line.equation for line in lines):
+            return lines
+    return _lines(statement, notation)
+
+
+def _whole(read: Read) -> list[Statement | Unread]:
+    """Statements with the rows that go on with them, as one chain."""
+    whole: list[Statement | Unread] = []
+    for each in read:
+        before = whole[-1] if whole else None
+        if isinstance(each, Statement) and isinstance(before, Statement) and each.continues:
+            sides = (*before.sides, *each.sides[1:])
+            relations = (*before.relations, *each.relations)
+            whole[-1] = replace(before, sides=sides, relations=relations, tag=each.tag)
+        else:
+            whole.append(each)
+    return whole
+
+
+def _lines(statement: Statement, notation: Notation) -> list[Line]:
+    """One line, more where the relation changes in a chain."""
+    at, tag = statement.position, statement.tag
+    if not statement.relations:
+        return [Line(at, None, "no relation: an equation has two sides", tag)]
+    if isinstance(statement.sides[0], n.Omitted):
+        return [Line(at, None, "a relation without its left side", tag)]
+    if statement.conditions or is_conditional(statement.condition):
+        said = statement.condition or ", ".join(map(plain, statement.conditions))
+        return [Line(at, None, f"words inside a formula: {said[:40]!r}", tag)]
+    try:
+        for side in statement.sides:
+            _limited(side)
+        meaning = _Meaning(notation)
+        matrices = any(_is_of_matrices(side, meaning) for side in statement.sides)
+        meaning = replace(meaning, matrices=matrices)
+        sides = _sides([meaning.of(side) for side in statement.sides])
+    except UnknownError as why:
+        return [Line(at, None, str(why), tag)]
+    relations = list(statement.relations)
+    if {*relations} == {"=", "≡"}:  # p_φ ≡ … = const is one statement
+        relations = ["="] * len(relations)
+    runs: list[tuple[str, list[Any]]] = []
+    for relation, (left, right) in zip(relations, pairwise(sides), strict=True):
+        if runs and runs[-1][0] == relation:
+            runs[-1][1].append(right)
+        else:
+            runs.append((relation, [left, right]))
+    lines = [Line(at, Equation(*run, relation=relation)) for relation, run in runs]
+    relation, run = runs[-1]
+    lines[-1] = Line(at, Equation(*run, relation=relation, tag=tag), tag=tag)
+    return lines
+
+
+@dataclass(frozen=True)
+class _Size:
+    """How deep a tree is, how high its powers are, how many digits its numbers come to."""
+
+    depth: float = 1
+    raised: float = 1
+    digits: float = 0
+
+
+def _limited(node: n.Node) -> _Size:
+    """The size of a node.  Raises UnknownError for one that is too large."""
+    if isinstance(node, n.Number):
+        return _Size(digits=len(node.text))
+    parts = [_limited(part) for part in n.parts(node)]
+    # A sum of n terms is a tree of n levels.
+    levels = max(len(parts) - 1, 1) if isinstance(node, (n.Sum, n.Product)) else 1
+    depth = levels + max((x.depth for x in parts), default=0)
+    raised = max((x.raised for x in parts), default=1)
+    digits = sum(x.digits for x in parts)
+    if isinstance(node, n.Power):
+        base, exponent = parts
+        times = max(_largest(node.exponent, exponent.digits), 1)
+        raised = base.raised * times if n.letters(node.base) else base.raised
+        digits = base.digits * times + exponent.digits
+        if raised > RAISED or times > 10**4:
+            raise UnknownError("a power too high")
+    if digits > DIGITS:
+        raise UnknownError("a number too large")
+    if depth > DEEPEST:
+        raise UnknownError(f"an expression of more than {DEEPEST} levels: fewer terms or brackets")
+    return _Size(depth, raised, digits)
+
+
+def _largest(exponent: n.Node, digits: float) -> float:
+    """How large an exponent may be at most, as far as its numbers go."""
+    node = n.ungrouped(exponent)
+    node = n.ungrouped(node.of) if isinstance(node, n.Negative) else node
+    if isinstance(node, n.Number):
+        return float(node.value)
+    return 10.0 ** min(digits, 20) if digits else 1
+
+
+def _sides(sides: Sequence[Any]) -> list[Any]:
+    """Sides of one kind; 1 beside matrices is the unit matrix."""
+    if any(kind(side) == "matrix" for side in sides):
+        sides = [s.unit if side == 1 else side for side in sides]
+    for before, side in pairwise(sides):
+        free = (0, s.const)
+        if kind(before) != kind(side) and before not in free and side not in free:
+            raise UnknownError(
+                f"a {kind(before)} and a {kind(side)} are compared: is a symbol meant in bold?"
+            )
+    return list(sides)
+
+
+_CARRIES: Mapping[Any, int] = {
+    **dict.fromkeys((eq.Group, eq.Underbrace, eq.Rate, eq.Transposed, eq.Partial, Pow), 0),
+    **dict.fromkeys((eq.SumOver, eq.VolumeIntegral), 1),
+    eq.IntegralOver: 3,
+    eq.Matrices: -1,
+}
+"""Which of its parts a node has its kind from."""
+
+
+def kind(node: Any) -> str:
+    """Whether an expression is a "scalar", a "vector" or a "matrix"."""
+    if isinstance(node, MatrixBase):
+        return "vector" if 1 in node.shape else "matrix"
+    if isinstance(node, Symbol):
+        _, quantity = known(node)
+        bold = quantity is not None and quantity.glyph.bold
+        return "matrix" if node in MATRICES else "vector" if bold else "scalar"
+    if type(node) in _CARRIES:
+        return kind(node.args[_CARRIES[type(node)]])
+    if isinstance(node, (Add, Mul)):
+        kinds = [kind(argument) for argument in node.args]
+        return next((k for k in ("vector", "matrix") if k in kinds), "scalar")
+    return "vector" if isinstance(node, eq.Cross) else "scalar"
+
+
+# --- Expressions ---------------------------------------------------------------------------------
+
+
+def expression(node: n.Node, notation: Notation) -> Any:
+    """What a node is in SymPy, as it is written.  Raises UnknownError."""
+    return _Meaning(notation).of(node)
+
+
+@dataclass(frozen=True)
+class _Meaning:
+    """What nodes are in the letters of one notation."""
+
+    notation: Notation
+    matrices: bool = False
+    """Whether A is a matrix, as it is beside others, and no amplitude."""
+
+    def of(self, node: n.Node) -> Any:
+        """Raises UnknownError."""
+        handler = _HANDLERS.get(type(node))
+        if handler is None:
+            raise UnknownError(f"{plain(node)}: that is not read here")
+        return handler(self, node)
+
+    def symbol(self, node: n.Letter, accent: str = "", primes: int = 0) -> Symbol | None:
+        """The symbol of a letter, perhaps with a dot or a prime above it; None if there is none."""
+        mark = node.mark.rstrip("′")
+        primes += len(node.mark) - len(mark)
+        if primes > 1 or (mark and accent):
+            return None
+        sub = node.sub.replace("-", "−").replace(" ", "")
+        glyph = Glyph(node.base, sub, accent or mark, node.bold, bool(primes))
+        found = self.notation.symbol(glyph)
+        if found is None and node.base in _VARIANTS:
+            return self.symbol(replace(node, base=_VARIANTS[node.base]), accent, primes)
+        if found is None and mark == "hat":  # a unit vector with a hat that it does not need
+            bare = self.notation.symbol(replace(glyph, accent="", bold=True))
+            found = bare if bare in VOCABULARY and VOCABULARY[bare].unit == "" else None
+        return found
+
+
+_VARIANTS = {"ϑ": "θ", "ϕ": "φ", "ϵ": "ε", "ϱ": "ρ", "ϖ": "π", "ς": "σ"}
+"""Other shapes of Greek letters: in a table each letter has one."""
+
+
+def _letter(meaning: _Meaning, node: n.Letter) -> Any:
+    if node == n.Letter("π"):
+        return sympy.pi
+    found = meaning.symbol(node)
+    if found is None:
+        raise UnknownError(f"no symbol {plain(node)} in this notation")
+    return s.A_matrix if found == s.A and meaning.matrices else found
+
+
+def _primed(meaning: _Meaning, node: n.Primed) -> Any:
+    found = meaning.symbol(node.of, primes=node.order) if isinstance(node.of, n.Letter) else None
+    if found is None:
+        raise UnknownError(f"no symbol {plain(node)} in this notation")
+    return found
+
+
+_DOTS = {1: "dot", 2: "ddot"}
+
+
+def _rate(meaning: _Meaning, node: n.Rate) -> Any:
+    of = node.of
+    if node.frame:
+        if node.frame not in _FRAMES:
+            raise UnknownError(f"a rate as seen from {node.frame!r}: space or body")
+        return eq.Rate(meaning.of(of), _FRAMES[node.frame])
+    letter, primes = (of.of, of.order) if isinstance(of, n.Primed) else (of, 0)
+    for order in range(node.order, 0, -1):
+        dotted = isinstance(letter, n.Letter) and order in _DOTS
+        symbol = meaning.symbol(letter, _DOTS[order], primes) if dotted else None  # type: ignore[arg-type]
+        if symbol is not None:
+            return _rates(symbol, node.order - order)
+    return _rates(meaning.of(of), node.order)
+
+
+def _rates(of: Any, count: int) -> Any:
+    for _ in range(count):
+        of = eq.Rate(of)
+    return of
+
+
+_FRAMES = {"space": eq.SPACE, "body": eq.BODY}
+
+
+def _group(meaning: _Meaning, node: n.Group) -> Any:
+    if isinstance(node.of, n.Number) and "." in node.of.text and node.of.value > 1:
+        raise UnknownError(
+            "a number in brackets: as the equation's own, put it behind a comma or in \\tag{}; "
+            "as a factor, without brackets"
+        )
+    inside = meaning.of(node.of)
+    return inside if isinstance(inside, MatrixBase) else eq.Group(inside)
+
+
+def _sum(meaning: _Meaning, node: n.Sum) -> Any:
+    terms = [(x.of, -1) if isinstance(x, n.Negative) else (x, 1) for x in node.terms]
+    values = [(meaning.of(x), sign) for x, sign in terms]
+    if any(kind(x) == "matrix" for x, _ in values):
+        values = [(s.unit if x == 1 else x, sign) for x, sign in values]
+    kinds = dict.fromkeys(kind(x) for x, _ in values if x != 0)
+    if len(kinds) > 1:
+        raise UnknownError(f"a {' and a '.join(kinds)} are added: is a symbol meant in bold?")
+    signed = (x if sign > 0 else _times(Integer(-1), x) for x, sign in values)
+    return reduce(lambda total, term: Add(total, term, evaluate=False), signed)
+
+
+def _product(meaning: _Meaning, node: n.Product) -> Any:
+    for factor in node.factors[1:]:
+        if isinstance(factor, n.Number):
+            raise UnknownError(f"the number {factor.text} behind a factor")
+    return reduce(_times, map(meaning.of, node.factors))
+
+
+def _times(left: Any, right: Any) -> Any:
+    written_out = (MatrixBase, eq.Matrices)
+    if isinstance(left, written_out) and isinstance(right, written_out):
+        factors = (x.args if isinstance(x, eq.Matrices) else (x,) for x in (left, right))
+        return eq.Matrices(*(factor for each in factors for factor in each))
+    if kind(left) == kind(right) == "vector":
+        raise UnknownError("two vectors beside each other: · or × between them?")
+    if isinstance(left, MatrixBase):
+        return left.applyfunc(lambda entry: entry and _times(entry, right))
+    if isinstance(right, MatrixBase):
+        return right.applyfunc(lambda entry: entry and _times(left, entry))
+    return Mul(left, right, evaluate=False)
+
+
+def _quotient(meaning: _Meaning, node: n.Quotient) -> Any:
+    over, under = meaning.of(node.over), meaning.of(node.under)
+    if kind(under) != "scalar":
+        raise UnknownError(f"a division by a {kind(under)}")
+    if n.ungrouped(node.under) == n.Number("0"):
+        raise UnknownError("a division by 0")
+    if isinstance(over, Rational) and isinstance(under, Rational):
+        return Rational(over, under)
+    return _times(over, Pow(under, Integer(-1), evaluate=False))
+
+
+def _power(meaning: _Meaning, node: n.Power) -> Any:
+    if isinstance(node.base, n.Letter) and node.exponent == n.Number("2"):
+        square = meaning.symbol(replace(node.base, base=f"{node.base.base}²"))
+        if square is not None and meaning.symbol(node.base) is None:
+            return square  # σ² alone has a name, and may be negative
+    if node.base == n.Letter("e") and meaning.symbol(node.base) is None:
+        return sympy.exp(meaning.of(node.exponent), evaluate=False)
+    base, exponent = meaning.of(node.base), meaning.of(node.exponent)
+    if kind(base) == "vector" and exponent == 2:
+        return eq.Dot(base, base)
+    if kind(base) != "scalar":
+        raise UnknownError(f"a power of a {kind(base)}: write the product, or ᵀ")
+    if kind(exponent) != "scalar":
+        raise UnknownError(f"a {kind(exponent)} as an exponent")
+    if base == 0 and (exponent == 0 or isinstance(exponent, Mul)):
+        raise UnknownError("a power of 0 that has no value")
+    return Pow(base, exponent, evaluate=False)
+
+
+def _apply(meaning: _Meaning, node: n.Apply) -> Any:
+    inside = meaning.of(n.ungrouped(node.of))
+    if node.name in _OF_MATRICES:
+        letter = meaning.notation.glyphs.get(inside)
+        name = Glyph(f"{node.name} {letter.base}") if letter is not None else Glyph("")
+        if name not in meaning.notation.names:
+            raise UnknownError(f"{plain(node)} has no name in this notation")
+        return meaning.notation.names[name]
+    if node.name not in _FUNCTIONS:
+        raise UnknownError(f"the function {node.name} is not known")
+    if kind(inside) != "scalar":
+        raise UnknownError(f"{node.name} of a {kind(inside)}")
+    return _FUNCTIONS[node.name](inside, evaluate=False)
+
+
+_OF_MATRICES = ("det", "tr")
+
+
+def _is_of_matrices(node: n.Node, meaning: _Meaning) -> bool:
+    """Whether something stands in it that only matrices have, or a letter that is always one."""
+    for x in n.walked(node):
+        if isinstance(x, (n.Matrix, n.Transposed)):
+            return True
+        if isinstance(x, n.Apply) and x.name in _OF_MATRICES:
+            return True
+        if isinstance(x, n.Letter) and meaning.symbol(x) in MATRICES:
+            return True
+        if isinstance(x, n.Product) and any(_acts(meaning, *two) for two in pairwise(x.factors)):
+            return True
+    return False
+
+
+def _acts(meaning: _Meaning, left: n.Node, right: n.Node) -> bool:
+    """Whether A stands before a vector."""
+    named = isinstance(left, n.Letter) and meaning.symbol(left) == s.A
+    bare = right.of if isinstance(right, n.Rate) else right
+    return named and isinstance(bare, n.Letter) and bare.bold
+
+
+def _call(meaning: _Meaning, node: n.Call) -> Any:
+    """A letter of a table is itself at its time or place; K and F are elliptic integrals."""
+    function = node.function
+    places = tuple(meaning.of(n.ungrouped(x)) for x in node.places)
+    if isinstance(function, n.Letter) and function.base in _ELLIPTIC and not function.sub:
+        return _ELLIPTIC[function.base](*places, evaluate=False)
+    if places not in ((s.t,), (s.r_vec,)):
+        raise UnknownError(f"{plain(node)}: the value at one place")
+    return meaning.of(function)
+
+
+_ELLIPTIC = {"K": sympy.elliptic_k, "F": sympy.elliptic_f}
+
+
+def _derivative(meaning: _Meaning, node: n.Derivative) -> Any:
+    if len(node.by) != 1 or not node.partial:
+        raise UnknownError("a derivative is by the time, or a partial one of a scalar by a letter")
+    of = _differentiated(meaning, node.of)
+    by = meaning.of(node.by[0])
+    if not isinstance(by, Symbol) or kind(of) != "scalar" or kind(by) != "scalar":
+        raise UnknownError("a derivative is by the time, or a partial one of a scalar by a letter")
+    return eq.Partial(of, by)
+
+
+def _differentiated(meaning: _Meaning, of: n.Node) -> Any:
+    """What is differentiated: ∂L is of the Lagrangian where L is nothing else."""
+    if of == n.Letter("L") and meaning.symbol(of) is None:
+        return s.Lagrangian
+    return meaning.of(of)
+
+
+def _total(meaning: _Meaning, node: n.Total) -> Any:
+    if node.sign != "Σ" or node.lower is not None or len(node.index) > 1:
+        raise UnknownError("a sum is over an index, as in \\sum_k")
+    return eq.SumOver(Symbol("".join(x.base for x in node.index)), meaning.of(node.of))
+
+
+def _integral(meaning: _Meaning, node: n.Integral) -> Any:
+    body, by = meaning.of(node.of), node.by
+    if node.lower is None and node.upper is None and meaning.of(by) == s.r_vec:
+        return eq.VolumeIntegral(Symbol("d3r"), body)
+    if node.lower is None or node.upper is None or kind(meaning.of(by)) != "scalar":
+        raise UnknownError("an integral is \\int d^3\\mathbf r, or \\int_a^b dx")
+    return eq.IntegralOver(meaning.of(by), meaning.of(node.lower), meaning.of(node.upper), body)
+
+
+def _braced(meaning: _Meaning, node: n.Braced) -> Any:
+    if node.label is None:
+        raise UnknownError(f"words beneath a brace: {node.words!r}")
+    body, label = meaning.of(node.of), meaning.of(node.label)
+    if kind(body) != kind(label):
+        raise UnknownError(f"a {kind(label)} beneath a {kind(body)}: is a symbol meant in bold?")
+    return eq.Underbrace(body, label)
+
+
+def _matrix(meaning: _Meaning, rows: Sequence[Sequence[n.Node]]) -> Any:
+    if len({len(row) for row in rows}) > 1:
+        raise UnknownError("a matrix with rows of different lengths")
+    if len(rows) > LARGEST or len(rows[0]) > LARGEST:
+        raise UnknownError(f"a matrix of more than {LARGEST} rows or columns")
+    entries = [[meaning.of(x) for x in row] for row in rows]
+    other = next((kind(x) for row in entries for x in row if kind(x) != "scalar"), "")
+    if other:
+        raise UnknownError(f"a {other} as an entry")
+    return sympy.ImmutableMatrix(entries)
+
+
+def _transposed(meaning: _Meaning, node: n.Transposed) -> Any:
+    of = meaning.of(node.of)
+    if isinstance(of, MatrixBase):
+        return of.T
+    if kind(of) == "scalar":
+        raise UnknownError("a scalar is transposed")
+    return eq.Transposed(of)
+
+
+def _absolute(meaning: _Meaning, node: n.Absolute) -> Any:
+    of = meaning.of(node.of)
+    if kind(of) == "matrix":
+        raise UnknownError("bars round a matrix: write det")
+    if kind(of) == "vector":
+        return Pow(eq.Dot(of, of), Rational(1, 2), evaluate=False)
+    return sympy.Abs(of, evaluate=False)
+
+
+def _dot(meaning: _Meaning, node: n.Dot) -> Any:
+    left, right = meaning.of(node.left), meaning.of(node.right)
+    if kind(left) == kind(right) == "vector":
+        return eq.Dot(left, right)
+    if kind(left) == "scalar" and (kind(right) == "scalar" or isinstance(right, eq.Group)):
+        return _times(left, right)
+    raise UnknownError(f"· between a {kind(left)} and a {kind(right)}")
+
+
+def _cross(meaning: _Meaning, node: n.Cross) -> Any:
+    left, right = meaning.of(node.left), meaning.of(node.right)
+    if kind(left) == kind(right) == "vector":
+        return eq.Cross(left, right)
+    if left.is_number and kind(right) == "scalar":
+        return _times(left, right)
+    raise UnknownError(f"× between a {kind(left)} and a {kind(right)}")
+
+
+_FUNCTIONS: dict[str, Any] = {
+    **{x: getattr(sympy, x) for x in ("sin", "cos", "tan", "exp", "sinh", "cosh", "tanh")},
+    **{x: getattr(sympy, x) for x in ("cot", "sec", "csc", "coth")},
+    **{f"arc{x}": getattr(sympy, f"a{x}") for x in ("sin", "cos", "tan")},
+    "ln": sympy.log,
+    "log": sympy.log,
+}
+
+
+_HANDLERS: dict[type, Callable[[_Meaning, Any], Any]] = {
+    n.Letter: _letter,
+    n.Primed: _primed,
+    n.Rate: _rate,
+    n.Number: lambda m, x: Rational(x.value.numerator, x.value.denominator),
+    n.Sum: _sum,
+    n.Product: _product,
+    n.Quotient: _quotient,
+    n.Negative: lambda m, x: _times(Integer(-1), m.of(x.of)),
+    n.Group: _group,
+    n.Power: _power,
+    n.Root: lambda m, x: Pow(m.of(x.of), Rational(1, x.degree), evaluate=False),
+    n.Apply: _apply,
+    n.Call: _call,
+    n.Derivative: _derivative,
+    n.Total: _total,
+    n.Integral: _integral,
+    n.Braced: _braced,
+    n.Matrix: lambda m, x: _matrix(m, x.rows),
+    n.Tuple: lambda m, x: _matrix(m, [x.entries]),
+    n.Absolute: _absolute,
+    n.Cross: _cross,
+    n.Dot: _dot,
+    n.Transposed: _transposed,
+    n.Constant: lambda m, x: s.const,
+}
