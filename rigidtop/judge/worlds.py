@@ -202,7 +202,7 @@ def _solved(
         matrix = np.moveaxis(slope / scale[:, None] * weights[:, None], -1, 0)
         move = weights[:, None] * _least(matrix, (-gap / scale).T).T
         farthest = np.abs(move / largest).max(axis=0)
-        points[:, left[on]] += move * np.minimum(1, 0.7 / np.where(farthest > 0, farthest, 0.7))
+        points[:, left[on]] += move * (0.7 / np.maximum(farthest, 0.7))
         lost[left[on]] = (np.abs(points[:, left[on]]) > 1e5).any(axis=0)
     return points, exact
 
