@@ -8,11 +8,12 @@ from functools import partial
 from rigidtop.judge import definitions
 from rigidtop.judge.context import LINEAR
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, Slip, slip
-from rigidtop.judge.jets import jets
+from rigidtop.judge.jets import jet_of, jets
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.orders import Scaling, differ, nearly, scalings, small_together
 from rigidtop.judge.outcome import ASSUMING, FALSE, UNDECIDED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
+from rigidtop.judge.settings import is_own
 from rigidtop.judge.worlds import Worlds
 from rigidtop.tree.plain import plain as in_words
 
@@ -92,8 +93,19 @@ def _alike(question: Question, both: Sequence[Pair], worlds: Worlds) -> str:
 def _scalings(question: Question, worlds: Worlds) -> list[Scaling]:
     """What may be small or large here: what is said to be, before what is only possible."""
     which = "small" if question.at.small else "large" if question.at.large else ""
-    usual = scalings(worlds, question.equations, question.moving, which)
+    usual = _scaled(question, worlds, which)
+    if which == "large" and question.at.closed:
+        usual += [x for x in _scaled(question, worlds, "small") if _is_of_own(question, x)]
     return [*_little(question, worlds), *usual]
+
+
+def _scaled(question: Question, worlds: Worlds, which: str) -> list[Scaling]:
+    return scalings(worlds, question.equations, question.moving, which)
+
+
+def _is_of_own(question: Question, scaling: Scaling) -> bool:
+    """Whether it scales but letters of the text's own, as x is in √(1 − x)."""
+    return all(is_own(question, jet) for jet in filter(None, map(jet_of, scaling.letters)))
 
 
 def _little(question: Question, worlds: Worlds) -> list[Scaling]:
@@ -107,7 +119,8 @@ def _differ(question: Question) -> Outcome | None:
         return None
     stated = _little(question, question.worlds)
     if question.at.large and not stated:
-        stated = scalings(question.worlds, question.equations, question.moving, "large")
+        large = _scaled(question, question.worlds, "large")
+        stated = [each for each in large if not _is_of_own(question, each)]
     for left, right in question.both:
         apart = [differ(left, right, question.equations, question.worlds, x) for x in stated]
         if apart and all(apart):

@@ -69,7 +69,7 @@ def chosen(question: Question) -> Judgement | None:
     if not question.at.closed or question.at.instant:
         return None
     asked = {x for pair in question.both for side in pair for x in side.free_symbols}
-    own = {x for x in asked if (jet := jet_of(x)) is not None and _is_own(question, jet)}
+    own = {x for x in asked if (jet := jet_of(x)) is not None and is_own(question, jet)}
     if not own or not is_setting(question.left, question.right, context.definitions):
         return None
     if question.moves(*question.gaps):
@@ -84,7 +84,7 @@ def chosen(question: Question) -> Judgement | None:
     return Outcome(PREMISE, "it is chosen", question.rests_on_meaning), known
 
 
-def _is_own(question: Question, jet: Jet) -> bool:
+def is_own(question: Question, jet: Jet) -> bool:
     """Whether it is a constant that no facts know and nothing else is called."""
     context = question.context
     known = context.given | context.declared | question.moving | context.definitions.keys()
