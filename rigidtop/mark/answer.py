@@ -35,6 +35,7 @@ from rigidtop.judge.text import (
 from rigidtop.mark.arrival import equalities, head, holds_on, is_reached, is_said, is_trivial
 from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.task import Branch, Task, Together
+from rigidtop.read.cues import Cue
 from rigidtop.read.document import problems
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -102,7 +103,7 @@ def _asserted(
     for problem in problems(source):
         rest = source[problem.position : problem.position + 60].split("\n", 1)[0]
         yield place(problem.position)[0], Unread(problem.position, problem.reason), rest
-    names, moments = declared_letters(source), instants(read)
+    names, moments, large = declared_letters(source), instants(read), _behind_large(read)
     moments = [each or _only_there(k, read) for k, each in enumerate(moments)]
     for number, (passage, each) in enumerate(read):
         line = place(passage.start + each.position)[0]
@@ -114,7 +115,25 @@ def _asserted(
         if is_time(each):
             continue  # a moment: what is said of it has its own place there
         at = situation(passage, number, moments[number], False, names)
+        if large[number]:
+            at = replace(at, large=True, small=False)
         yield line, _in_letters_of(each, read, task.contexts), replace(at, closed=True)
+
+
+def _behind_large(read: Read) -> list[bool]:
+    """Whether each statement is of what words say is large: these reach on in their scope.
+
+    They end where something is small, or all is general again.
+    """
+    reached: list[bool] = []
+    scope: tuple[int, ...] | None = None
+    for passage, _ in read:
+        if Cue.LARGE in passage.cues:
+            scope = passage.scope
+        elif passage.cues & {Cue.SMALL, Cue.GENERAL} or passage.scope != scope:
+            scope = None
+        reached.append(scope is not None)
+    return reached
 
 
 _WHERE = re.compile(
@@ -357,7 +376,7 @@ def _with_habits(context: Context, own: Habits) -> Context:
         habits=replace(
             own,
             moving=habits.moving | own.moving,
-            lengths=habits.lengths | own.lengths - {*context.definitions},
+            lengths=habits.lengths | own.lengths - {*context.definitions} - context.given,
         ),
     )
 

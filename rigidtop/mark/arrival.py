@@ -6,10 +6,10 @@ world in which what was said holds, and not in others besides.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from itertools import combinations, pairwise
+from itertools import combinations, islice, pairwise
 
 from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Rational, nan, zoo
 
@@ -25,6 +25,9 @@ from rigidtop.tree.statement import Statement
 
 MOST_SIDES = 5
 """Of a longer chain the last sides are compared with what is to be reached."""
+
+MOST_NAMES = 8
+"""So often a letter of an answer is taken for one of what is to be reached."""
 
 
 def equalities(sides: Sequence[Node], each: Statement) -> list[Statement]:
@@ -43,8 +46,34 @@ def _roots(each: Statement) -> list[Statement]:
 
 
 def is_reached(goal: Statement, said: Sequence[Statement], contexts: Iterable[Context]) -> bool:
-    """Whether what was said comes to a statement in one of some contexts."""
-    return any(_comes_to(goal, said, context) for context in contexts)
+    """Whether what was said comes to a statement in one of some contexts, in other names too."""
+    contexts = tuple(contexts)
+    given = frozenset().union(*(context.given for context in contexts))
+    named = islice(_in_names_of(goal, said, given), MOST_NAMES)
+    return any(_comes_to(goal, x, context) for x in (said, *named) for context in contexts)
+
+
+def _in_names_of(
+    goal: Statement, said: Sequence[Statement], given: frozenset[Letter]
+) -> Iterator[list[Statement]]:
+    """What was said of a letter with an index of its own, as said of one in a statement.
+
+    So θ_s is where θ is, and Ω₁ is one of Ω₊ and Ω₋.
+    """
+    spoken = frozenset().union(*map(_letters, said))
+    for own in sorted(spoken - given, key=str):
+        using = [each for each in said if own in _letters(each)]
+        for letter in sorted(_letters(goal) - {own}, key=str):
+            if own.sub and replace(own, sub=letter.sub) == letter:
+                yield [
+                    replace(x, sides=tuple(_with_name(side, own, letter) for side in x.sides))
+                    for x in using
+                    if letter not in _letters(x)
+                ]
+
+
+def _with_name(side: Node, own: Letter, letter: Letter) -> Node:
+    return n.mapped(side, lambda node: letter if node == own else node)
 
 
 def is_trivial(each: Statement, habits: Habits) -> bool:

@@ -23,6 +23,7 @@ from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import folded, habits_of
 from rigidtop.mark.facts import GIVEN, context, special
 from rigidtop.notation import NOTES, Notation
+from rigidtop.proof.derivation import Line
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.model import Model
 from rigidtop.proof.moves import Condition
@@ -125,6 +126,8 @@ def task(start: str, goal: str, subject: Subject | None = None) -> Task:
     if not contexts and subject.families:
         raise RigidtopError(f"{refused}: no model of the collection knows what {goal} is about")
     contexts = contexts or (_from_pages(start, goal, subject),)
+    if not _is_numbered(goal, pages):
+        goals = _otherwise(goals, given, contexts[0])
     # What letters are called holds for whatever they are made of.
     known = frozenset().union(*(context(model).given for model in used))
     own = [x for x in called if x.sides[0] not in known]
@@ -172,7 +175,7 @@ def _written(pages: Lecture) -> dict[str, str]:
 def _results(goal: str, pages: Lecture) -> tuple[str, ...]:
     """What the lecture derives under a number, or under a name and uses no more there."""
     lines = [pages.lines[id] for id in pages.names[goal] if id not in pages.laws]
-    numbered = [line for line in lines if any(e.tag == goal for e in line.equations)]
+    numbered = [line for line in lines if _is_numbered_so(line, goal)]
     derived = [line for line in lines if line.move is not None and line.move.verb != "call"]
     used = {
         id
@@ -181,7 +184,92 @@ def _results(goal: str, pages: Lecture) -> tuple[str, ...]:
         for id in pages.cites(line.id)
     }
     results = [line for line in derived if line.id not in used]
+    results += [line for line in derived if _is_exact(line.id, results, pages)]
     return tuple(line.id for line in numbered or results)
+
+
+def _is_numbered(goal: str, pages: Lecture) -> bool:
+    """Whether a name is the number of an equation, and not that of a claim."""
+    return any(_is_numbered_so(pages.lines[id], goal) for id in pages.names[goal])
+
+
+def _is_numbered_so(line: Line, number: str) -> bool:
+    return any(each.tag == number for each in line.equations)
+
+
+def _is_exact(id: str, results: Sequence[Line], pages: Lecture) -> bool:
+    """Whether a line says exactly what a result says nearly of letters that the pages call."""
+    heads = (
+        n.letters(x.sides[0])
+        for result in results
+        if id in pages.above(result.id)
+        for x in stated(result.id, pages)
+        if x.relations == ("≈",)
+    )
+    [*exact] = (n.letters(x.sides[0]) for x in stated(id, pages) if x.relations == ("=",))
+    return any(head <= _called(pages) and any(head <= each for each in exact) for head in heads)
+
+
+@cache
+def _called(pages: Lecture) -> frozenset[Letter]:
+    """The letters that pages call something, as they stand on the left."""
+    called = (id for id, line in pages.lines.items() if line.move and line.move.verb == "call")
+    sides = (x.sides[0] for id in called for x in stated(id, pages))
+    return frozenset().union(*map(n.letters, sides))
+
+
+def _otherwise(
+    goals: tuple[Together, ...], given: Together, known: Context
+) -> tuple[Together, ...]:
+    """Goals with what else says the same in words: what stays as it began is constant, and an axis
+    may have another number where the facts are the same for all."""
+    kept = tuple(map(_kept, goals))
+    turned = _turned(given)
+    if turned != given and _holds(turned, known):
+        once = tuple(map(_turned, kept))
+        kept = (*kept, *once, *map(_turned, once))
+    return tuple(dict.fromkeys((*goals, *kept, *filter(None, map(_as_vector, kept)))))
+
+
+def _kept(together: Together) -> Together:
+    """Statements with a constant for what a letter is at the start: ω₃ = const for ω₃ = ω₃,₀."""
+
+    def kept(each: Statement) -> Statement:
+        left, right = each.sides[0], each.sides[-1]
+        if not isinstance(left, Letter) or right != replace(left, sub=f"{left.sub},0".strip(",")):
+            return each
+        return replace(each, sides=(*each.sides[:-1], n.Constant()))
+
+    return tuple(map(kept, together))
+
+
+def _as_vector(together: Together) -> Together:
+    """That a vector is constant, where each of its three components is; nothing where not."""
+    first = together[0].sides[0]
+    if not isinstance(first, Letter):
+        return ()
+    components = {replace(first, sub=sub) for sub in "123"}
+    fixed = all(isinstance(x.sides[-1], (n.Number, n.Constant)) for x in together)
+    if not fixed or {x.sides[0] for x in together} != components:
+        return ()
+    vector = replace(first, sub="", bold=True)
+    return (Statement((vector, n.Constant()), ("=",), 0),)
+
+
+_NEXT = str.maketrans("123", "231")
+
+
+def _turned(together: Together) -> Together:
+    """Statements with the next one of three axes for each, 2 for 1, 3 for 2 and 1 for 3."""
+
+    def turned(node: n.Node) -> n.Node:
+        if not isinstance(node, Letter) or node.sub[:1] not in {*"123"} or node.sub[1:2].isdigit():
+            return node
+        return replace(node, sub=node.sub[0].translate(_NEXT) + node.sub[1:])
+
+    return tuple(
+        replace(x, sides=tuple(n.mapped(side, turned) for side in x.sides)) for x in together
+    )
 
 
 def _leads(start: str, goal: str, pages: Lecture) -> bool:

@@ -27,6 +27,33 @@ RIGHT = {
         "3.53 3.56",
         r"$$\lambda_3(\dot\psi+\dot\phi\cos\theta)=\text{const}\equiv p_\psi$$",
     ),
+    "another principal axis": (
+        "3.36 principal-stays",
+        r"Set $\omega_3=0$ and $\omega_1=0$. Then $\dot{\boldsymbol\omega}=0$.",
+    ),
+    "small rates beside another axis": (
+        "3.36 axis-stability",
+        r"$\omega_2,\omega_3\ll\omega_1$, so $\omega_1\approx$ const and "
+        r"$$\ddot\omega_2\approx-\frac{(\lambda_1-\lambda_3)(\lambda_1-\lambda_2)}"
+        r"{\lambda_2\lambda_3}\omega_1^2\omega_2$$",
+    ),
+    "the exact frequency, at an angle with an index": (
+        "3.54 nutation",
+        r"$$\omega_n^2=\frac{(\lambda_3\omega_3-2\lambda_1\Omega\cos\theta_s)^2}{\lambda_1^2}"
+        r"+\Omega^2\sin^2\theta_s$$",
+    ),
+    "numbered roots": (
+        "3.57 two-roots",
+        r"$$\Omega_{1,2}=\frac{\lambda_3\omega_3\pm\sqrt{\lambda_3^2\omega_3^2"
+        r"-4\lambda_1MgR\cos\theta}}{2\lambda_1\cos\theta}$$ For large $\omega_3$: "
+        r"$$\Omega_2\approx\frac{MgR}{\lambda_3\omega_3}$$",
+    ),
+    "what is small where something else is large": (
+        "3.57 two-roots",
+        r"For large $\omega_3$ use $\sqrt{1-x}\approx1-\frac x2$, "
+        r"$x=\frac{4\lambda_1MgR\cos\theta}{\lambda_3^2\omega_3^2}$, in the root. Hence "
+        r"$$\Omega_-\approx\frac{MgR}{\lambda_3\omega_3}$$",
+    ),
 }
 
 
@@ -87,3 +114,21 @@ def test_what_is_much_smaller_is_small_together(sign, right):
 )
 def test_a_slip_is_named_by_what_was_written(ends, source, slip):
     assert mark(source, task(*ends.split())).first_wrong.slip == slip
+
+
+@pytest.mark.parametrize("between", ["and therefore", "holds.\n\nTherefore"])
+def test_what_is_large_is_so_in_the_displays_behind_it(between):
+    source = "For large $\\omega_3$\n$$\\sqrt{\\lambda_3^2\\omega_3^2-4\\lambda_1MgR\\cos\\theta}"
+    source += f"\\approx\\lambda_3\\omega_3$$\n{between}\n$$\\Omega_+\\approx"
+    right, wrong = (
+        rf"\frac{{{x}}}$$"
+        for x in (r"\lambda_3\omega_3}{\lambda_1\cos\theta", "MgR}{\\lambda_3\\omega_3")
+    )
+    ends = task("3.57", "two-roots")
+    assert mark(source + right, ends).passed
+    assert mark(source + wrong, ends).first_wrong.said.startswith("Ω₊")
+
+
+def test_another_axis_is_none_where_the_facts_tell_them_apart():
+    source = r"$$\dot\omega_2=\frac{\lambda_2-\lambda_3}{\lambda_2}\omega_1\omega_3$$"
+    assert not mark(source, task("3.36", "3.37")).passed
