@@ -37,6 +37,7 @@ from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.task import Branch, Task, Together
 from rigidtop.read.cues import Cue
 from rigidtop.read.document import problems
+from rigidtop.read.passages import Passage
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain
@@ -115,9 +116,29 @@ def _asserted(
         if is_time(each):
             continue  # a moment: what is said of it has its own place there
         at = situation(passage, number, moments[number], False, names)
+        if _is_supposed(passage, each):
+            at = replace(at, supposed=True)
         if large[number]:
             at = replace(at, large=True, small=False)
         yield line, _in_letters_of(each, read, task.contexts), replace(at, closed=True)
+
+
+_SUPPOSE = re.compile(
+    r"\W*(?:(?:we|now|let us|wir) )?(?:suppose|assum|if|let|angenommen|annehm|falls|wenn|seien?)\b",
+    re.I,
+)
+"""Words with which a sentence begins that supposes something."""
+
+
+def _is_supposed(passage: Passage, each: Statement) -> bool:
+    """Whether letters are given a number in the first statement of a sentence that supposes."""
+    sides = (x.of if isinstance(x, n.Rate) and x.dotted else x for x in each.sides[:-1])
+    return (
+        not passage.display
+        and bool(_SUPPOSE.match(passage.before))
+        and isinstance(each.sides[-1], n.Number)
+        and all(isinstance(side, Letter) for side in sides)
+    )
 
 
 def _behind_large(read: Read) -> list[bool]:
@@ -375,7 +396,7 @@ def _with_habits(context: Context, own: Habits) -> Context:
         context,
         habits=replace(
             own,
-            moving=habits.moving | own.moving,
+            moving=habits.moving | own.moving | own.vectors - context.given,
             lengths=habits.lengths | own.lengths - {*context.definitions} - context.given,
         ),
     )

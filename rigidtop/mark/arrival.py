@@ -94,6 +94,7 @@ def _bare(side: Node) -> Node:
 def _comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> bool:
     own = {x: d for x, d in context.definitions.items() if d.number >= 0}
     names = _names_in(goal, context)
+    names |= _also_called(_letters(goal) | names, sound)
     allowed = _spelt(_letters(goal), context) | {*own} | names
     vectors = {x.base for x in allowed if x.bold and not x.sub}
     allowed |= {x for each in sound for x in _letters(each) if x.base in vectors and x.sub}
@@ -168,6 +169,13 @@ def _names_in(goal: Statement, context: Context) -> frozenset[Letter]:
 
 def _jets(expression: Expr) -> set[Letter]:
     return {jet.letter for jet in jets(expression).values()}
+
+
+def _also_called(letters: frozenset[Letter], said: Iterable[Statement]) -> frozenset[Letter]:
+    """Letters that are said to be equal to some, as p_φ is in p_φ = L_z."""
+    equal = (x.sides for x in said if x.relations == ("=",))
+    ties = (x for a, b in equal for x in ((a, b), (b, a)))
+    return frozenset(b for a, b in ties if a in letters and isinstance(b, Letter) and not b.bold)
 
 
 def _same(goal: Statement, said: Sequence[Statement], context: Context) -> bool | None:

@@ -42,6 +42,22 @@ RIGHT = {
         r"$$\omega_n^2=\frac{(\lambda_3\omega_3-2\lambda_1\Omega\cos\theta_s)^2}{\lambda_1^2}"
         r"+\Omega^2\sin^2\theta_s$$",
     ),
+    "other letters, which are said to be equal": (
+        "3.43 3.45",
+        r"$$\dot\phi=\frac{p_\phi-p_\psi\cos\theta}{\lambda_1\sin^2\theta}$$ "
+        r"where $p_\phi=L_z$ and $p_\psi=L_3$.",
+    ),
+    "a supposition in words, and what it means": (
+        "3.36 principal-stays",
+        r"Suppose $\boldsymbol\omega$ is along $\mathbf e_1$, so $\omega_2=\omega_3=0$. Then "
+        r"$\dot\omega_1=\dot\omega_2=\dot\omega_3=0$.",
+    ),
+    "a vector of the answer's own, which moves": (
+        "3.50 3.51",
+        r"The torque is $\mathbf R\times M\mathbf g=MgR\,\hat{\mathbf z}\times\mathbf e_3$, so "
+        r"$$\dot{\mathbf e}_3=\frac{MgR}{\lambda_3\omega_3}\hat{\mathbf z}\times\mathbf e_3"
+        r"=\boldsymbol\Omega\times\mathbf e_3$$",
+    ),
     "numbered roots": (
         "3.57 two-roots",
         r"$$\Omega_{1,2}=\frac{\lambda_3\omega_3\pm\sqrt{\lambda_3^2\omega_3^2"
@@ -132,3 +148,8 @@ def test_what_is_large_is_so_in_the_displays_behind_it(between):
 def test_another_axis_is_none_where_the_facts_tell_them_apart():
     source = r"$$\dot\omega_2=\frac{\lambda_2-\lambda_3}{\lambda_2}\omega_1\omega_3$$"
     assert not mark(source, task("3.36", "3.37")).passed
+
+
+def test_what_is_concluded_in_a_display_is_not_supposed():
+    source = "Suppose it is free, so\n$$\\omega_1=0$$"
+    assert mark(source, task("3.36", "principal-stays")).first_wrong.line == 2
