@@ -28,8 +28,8 @@ LITTLE = 2e-3
 
 
 _LAST = (STEPS - 2, STEPS - 1)
-UNLIKE = 0.02
-"""Sides that differ by more than this share at every step do not become alike."""
+STAYS = 0.7
+"""A share that is no less than this much of the one a step before does not go to zero."""
 
 
 @dataclass(frozen=True)
@@ -58,11 +58,11 @@ def nearly(
 def differ(
     left: Expr, right: Expr, equations: Sequence[Expr], worlds: Worlds, scaling: Scaling
 ) -> bool:
-    """Whether both sides have values at every step and in no world become alike."""
-    gaps = [_gap(left, right, equations, worlds, scaling, k, True) for k in _LAST]
-    return all(
-        gap is not None and bool(np.isfinite(gap).all() and (gap > UNLIKE).all()) for gap in gaps
-    )
+    """Whether both sides have values at the last steps and in no world become alike."""
+    before, last = (_gap(left, right, equations, worlds, scaling, k, True) for k in _LAST)
+    if before is None or last is None or not np.isfinite([before, last]).all():
+        return False
+    return bool(((last > LITTLE) & (last >= STAYS * before)).all())
 
 
 def small_together(letters: frozenset[Letter], worlds: Worlds) -> Scaling | None:

@@ -96,10 +96,12 @@ def test_a_value_may_stand_before_its_condition():
     assert mark(source, task("3.45", "azimuth")).first_wrong is None
 
 
-@pytest.mark.parametrize(("factor", "right"), [("1", True), ("2", False)])
-def test_what_is_nearly_true_for_something_large_is_refuted_too(factor, right):
+@pytest.mark.parametrize(
+    ("under", "right"), [("\\cos\\theta", True), ("2\\cos\\theta", False), ("\\sin\\theta", False)]
+)
+def test_what_is_nearly_true_for_something_large_is_refuted_too(under, right):
     source = "For large $\\omega_3$\n$$\\Omega_+\\approx\\frac{\\lambda_3\\omega_3}"
-    source += f"{{{factor}\\lambda_1\\cos\\theta}}$$"
+    source += f"{{\\lambda_1{under}}}$$"
     assert (mark(source, task("3.57", "two-roots")).first_wrong is None) == right
 
 
