@@ -29,7 +29,7 @@ KEPT = {"energy": "energy", "p_phi": "p_φ", "p_psi": "p_ψ", "L": "|L|"}
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     motions.add_motion(parser)
     run = parser.add_argument_group("the computation")
     run.add_argument(
@@ -95,7 +95,7 @@ def text(certificate: Certificate, asked: str) -> str:
 
 
 def verdict(certificate: Certificate) -> str:
-    """One line."""
+    """Whether the ways agree, in one sentence."""
     if not certificate.differences:
         return "NOTHING TO COMPARE: one way alone proves nothing"
     if certificate.undecided:

@@ -17,7 +17,7 @@ MOST_POINTS = 1000
 
 
 def add_look(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options that make a printed lecture one's own."""
     group = parser.add_argument_group("what is your own")
     group.add_argument("--title", help="in place of the lecture's")
     group.add_argument("--author", help="beneath the title, and in the PDF")

@@ -239,7 +239,7 @@ class Table:
 
     @property
     def cells(self) -> list[list[Rich]]:
-        """Each as running text."""
+        """The cells of every row as running text."""
         return [[x if isinstance(x, tuple) else (x,) for x in row] for row in self.rows]
 
     @property

@@ -39,7 +39,7 @@ class Parts:
     points: str = ""
 
     def equations(self, text: Text) -> list[Equation]:
-        """Those of its lines."""
+        """The equations of all lines of a text, in the notation."""
         return [self.notation.written(each) for line in text.lines for each in line.equations]
 
 

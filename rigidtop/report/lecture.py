@@ -77,7 +77,7 @@ class Picture:
         return same and self.drawing.values(self.given) == other.drawing.values(other.given)
 
     def motions(self) -> Sequence[Motion]:
-        """Those that it shows."""
+        """The motions that the picture shows; none where it shows another thing."""
         of = self.drawing.motions
         return of(**self.drawing.values(self.given)) if of else ()
 
