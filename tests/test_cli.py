@@ -324,7 +324,7 @@ def test_help_loads_nothing_heavy() -> None:
         [sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=120
     )
     assert result.returncode == 0, result.stderr
-    for command in ("list", "check", "derive", "lecture", "simulate", "certify", "sweep", "bench"):
+    for command in ("list", "check", "derive", "lecture", "simulate", "certify", "sweep"):
         assert f"\n    {command} " in result.stdout
 
 

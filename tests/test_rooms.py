@@ -14,13 +14,12 @@ DERIVATIONS = PACKAGE.parent / "derivations"
 ORDER = (
     *("errors", "trace", "parameters", "terminal"),
     *("theory", "proof", "notation", "tree", "typeset", "read", "judge", "codegen"),
-    *("motion", "elliptic", "referee"),
-    *("derivations", "figures", "report", "system", "mark", "bench", "starter"),
+    *("motion", "derivations", "figures", "report", "system", "mark", "starter"),
     *("collection", "web", "commands", "cli", "__init__", "__main__"),
 )
 """A room may import of the others those before it."""
 
-NUMBERS = {"errors", "trace", "parameters", "terminal", "motion", "elliptic", "referee"}
+NUMBERS = {"errors", "trace", "parameters", "terminal", "motion"}
 """Rooms that never load SymPy: they import one another alone."""
 
 HANDS_ON = {"motion": {"figures"}}
@@ -36,7 +35,6 @@ FORBIDDEN = {
     "judge": {"scipy", "matplotlib"},
     "typeset": NUMERIC,
     "motion": SYMBOLIC | {"matplotlib"},
-    "referee": SYMBOLIC | {"matplotlib"},
     "codegen": {"matplotlib"},
     "derivations": {"matplotlib"},
     "starter": {"matplotlib"},

@@ -44,7 +44,7 @@ examples:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument(
         "file",
         nargs="+",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rigidtop.commands import motions
@@ -15,8 +14,8 @@ if TYPE_CHECKING:
 ABOUT = "compute one motion in several ways and compare them"
 
 EPILOG = """\
-Euler's equations on quaternions, Lagrange's, Routh's and Hamilton's in Euler angles,
-and the closed form must give the same attitudes.  Exit code 1 if they do not.
+The closed form must give the attitudes of Euler's equations, and Lagrange's, Routh's and Hamilton's
+equations in Euler angles the same rates.  Exit code 1 if they do not.
 
 examples:
   rigidtop certify top --theta 0.5 --theta-dot 0.1 --phi-dot 1 --psi-dot 40
@@ -30,7 +29,7 @@ KEPT = {"energy": "energy", "p_phi": "p_φ", "p_psi": "p_ψ", "L": "|L|"}
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     motions.add_motion(parser)
     run = parser.add_argument_group("the computation")
     run.add_argument(
@@ -49,87 +48,65 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.motion.certify import certify
 
     times = np.linspace(0.0, options.time, options.samples)
-    found = certify(motion, times, rtol=options.rtol)
+    certificate = certify(motion, times, rtol=options.rtol)
     if options.json:
-        print_json(record(found))
+        print_json(record(certificate))
     else:
         asked = f"{options.samples} times from 0 to {options.time:g} s, rtol {options.rtol:g}"
-        print(text(found, asked))
-    return 0 if found.passed else DISAGREE
+        print(text(certificate, asked))
+    return 0 if certificate.passed else DISAGREE
 
 
-def record(found: Certificate) -> dict[str, object]:
+def record(certificate: Certificate) -> dict[str, object]:
     """A certificate as plain values."""
     return {
-        "passed": found.passed,
-        "ways": list(found.ways),
-        "differences": found.differences.tolist(),
-        "bound": found.bound,
-        "reach": found.reach,
-        "undecided": found.undecided,
-        "amplification": found.amplification,
-        "drifts": {way: dict(drift) for way, drift in found.drifts.items()},
-        "orders": [dict(vars(order)) for order in found.orders],
-        "left_out": dict(found.left_out),
-        "stray": list(found.stray),
+        "passed": certificate.passed,
+        "undecided": certificate.undecided,
+        "differences": dict(certificate.differences),
+        "bounds": {way: certificate.bounds[way] for way in certificate.differences},
+        "reach": certificate.reach,
+        "drifts": {way: dict(drift) for way, drift in certificate.drifts.items()},
+        "left_out": dict(certificate.left_out),
     }
 
 
-def text(found: Certificate, asked: str) -> str:
+def text(certificate: Certificate, asked: str) -> str:
     """A certificate as tables for the terminal; `asked` says what for."""
     from rigidtop.terminal.table import paragraph, table
 
-    parts = [f"One motion in {len(found.ways)} ways, {asked}"]
-    if found.ways:
+    differences, drifts = certificate.differences, certificate.drifts
+    about = f"One motion by Euler's equations and in {len(differences)} other ways, {asked}"
+    parts = [paragraph(about)]
+    if differences:
         rows = [
-            [way, *("·" if k == row else f"{x:.1e}" for k, x in enumerate(found.differences[row]))]
-            for row, way in enumerate(found.ways)
+            [way, _small(apart), _small(certificate.bounds[way]), "rad" if way == "exact" else ""]
+            for way, apart in differences.items()
         ]
-        parts.append(_numbers(rows, ("difference/rad", *found.ways)))
-        names = list(found.drifts[found.ways[0]])
-        rows = [[way, *(_small(found.drifts[way][name]) for name in names)] for way in found.ways]
-        parts.append(_numbers(rows, ("relative drift of", *(KEPT[name] for name in names))))
-    if found.orders:
-        rows = [
-            [
-                order.method,
-                str(order.classical),
-                f"{order.observed:.2f}",
-                *(
-                    f"{error:.1e} in {n} steps"
-                    for n, error in zip(order.steps, order.errors, strict=True)
-                ),
-            ]
-            for order in found.orders
-        ]
-        head = ("integrator", "order", "observed", "error/rad", "with half the step")
-        parts.append(_numbers(rows, head))
-    reasons = [[what, why] for what, why in found.left_out.items()]
-    parts.append(table(reasons, ("left out", "because")))
-    parts.append(paragraph(verdict(found)))
+        parts.append(table(rows, ("way", "difference", "bound", ""), right=(1, 2)))
+    names = list(drifts["Euler"])
+    rows = [[way, *(_small(drift[name]) for name in names)] for way, drift in drifts.items()]
+    head = ("relative drift of", *(KEPT[name] for name in names))
+    parts.append(table(rows, head, right=range(1, len(head))))
+    reasons = [[what, why] for what, why in certificate.left_out.items()]
+    if reasons:
+        parts.append(table(reasons, ("left out", "because")))
+    parts.append(paragraph(verdict(certificate)))
     return "\n\n".join(parts)
 
 
-def verdict(found: Certificate) -> str:
-    """One line."""
-    if found.stray:
-        return f"THE WAYS DISAGREE: {', '.join(found.stray)} ends at a pole that is not there"
-    if len(found.ways) < 2:
+def verdict(certificate: Certificate) -> str:
+    """Whether the ways agree, in one sentence."""
+    if not certificate.differences:
         return "NOTHING TO COMPARE: one way alone proves nothing"
-    compared = f"largest difference {found.largest:.1e} rad, bound {found.bound:.1e} rad"
-    if found.undecided:
+    if certificate.undecided:
         return (
-            f"NOT DECIDED: {compared}; in so long a time the solvers' own errors may grow to "
-            f"{found.reach:.1e} rad: take a shorter one"
+            f"NOT DECIDED: the attitudes differ by {certificate.differences['exact']:.1e} rad; in "
+            f"so long a time the solver's own errors may grow to {certificate.reach:.1e} rad: take "
+            "a shorter one"
         )
-    return f"the ways agree: {compared}" if found.passed else f"THE WAYS DISAGREE: {compared}"
-
-
-def _numbers(rows: Sequence[Sequence[str]], head: Sequence[str]) -> str:
-    """A table of which all columns but the first are numbers."""
-    from rigidtop.terminal.table import table
-
-    return table(rows, head, right=range(1, len(head)))
+    if certificate.passed:
+        return "the ways agree: no difference exceeds its bound"
+    return f"THE WAYS DISAGREE: {', '.join(certificate.strays)}"
 
 
 def _small(value: float) -> str:

@@ -46,7 +46,7 @@ LINE_COLORS = {
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument(
         "name",
         nargs="*",

@@ -21,7 +21,7 @@ SOURCES = ("python", "c", "fortran", "julia", "javascript", "octave")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument(
         "name",
         nargs="+",

@@ -34,7 +34,7 @@ examples:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument("name", nargs="*", help=f"an exercise, such as toppling-top; {FOLDER}")
     add_settings(parser, "change its settings, such as theta=30deg")
     parser.add_argument(

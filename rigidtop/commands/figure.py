@@ -33,7 +33,7 @@ MOST_FRAMES = 2000
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument("name", nargs="?", metavar="NAME", help="the figure")
     parser.add_argument(
         "-o",

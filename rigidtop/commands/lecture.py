@@ -25,7 +25,7 @@ ABOUT = "write the lecture as LaTeX and HTML, with figures and exercises"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument("folder", nargs="?", help="a collection of one's own, such as my_course/")
     parser.add_argument(
         "-o", "--output", default="out", metavar="DIR", help="the folder (default: out)"

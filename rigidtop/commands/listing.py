@@ -11,14 +11,14 @@ ABOUT = "list every claim of the lecture, by section"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument(
         "name", nargs="*", help=f"only these claims or sections, such as 3.5; {claims.FOLDER}"
     )
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print the list."""
+    """Print the claims that are named, or all by section; the exit code is 0."""
     from rigidtop.collection import opened
     from rigidtop.proof.words import unmarked
     from rigidtop.report.records import claim_record

@@ -17,20 +17,12 @@ MOST_POINTS = 1000
 
 
 def add_look(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options that make a printed lecture one's own."""
     group = parser.add_argument_group("what is your own")
     group.add_argument("--title", help="in place of the lecture's")
     group.add_argument("--author", help="beneath the title, and in the PDF")
     group.add_argument("--course", help="beneath the title")
     group.add_argument("--date", help="beneath the title, in any words, or today")
-    group.add_argument(
-        "--language",
-        metavar="CODE",
-        help=(
-            "of its fixed words and hyphens, such as de; the text stays as its pages have it: "
-            "en, de, fr, es, it"
-        ),
-    )
     group.add_argument("--paper", choices=["a4", "letter"], default="a4", help="(default: a4)")
     group.add_argument("--preamble", metavar="FILE", help="LaTeX to be added to the preamble")
     group.add_argument(
@@ -82,19 +74,15 @@ def _words(options: argparse.Namespace, name: str) -> str:
 
 
 def look_of(options: argparse.Namespace) -> Look:
-    """Paper, language, preamble and class; RigidtopError where one of them is none."""
+    """Paper, preamble and class; RigidtopError where one of them is none."""
     from rigidtop.report.blocks import Look
     from rigidtop.report.pdf import latexmk_for
-    from rigidtop.report.tex import LANGUAGES
 
-    language = options.language or "en"
-    if language not in LANGUAGES:
-        raise RigidtopError(f"no language {language!r}; there are {', '.join(LANGUAGES)}")
     preamble = text_of(options.preamble) if options.preamble else ""
     own = options.own_class or ""
     if own and not own.replace("-", "").replace("_", "").isalnum():
         raise RigidtopError(f"--class wants the name of a LaTeX class, not {own!r}")
-    look = Look(options.paper, language, preamble, own)
+    look = Look(options.paper, preamble, own)
     if options.pdf:
         latexmk_for(look)  # before half a minute of work, not after it
     return look

@@ -19,7 +19,7 @@ ABOUT = "show which equation rests on which, from the laws to the last claim"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument(
         "name",
         nargs="*",

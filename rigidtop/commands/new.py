@@ -25,7 +25,7 @@ STARTER = Path(__file__).parents[1] / "starter"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument(
         "--system",
         action="store_true",

@@ -49,7 +49,7 @@ def chosen(options: argparse.Namespace) -> Notation:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument(
         "name", nargs="*", metavar="NAME|FILE", help="only these; a file is checked (default: all)"
     )

@@ -10,7 +10,6 @@ from typing import Any, NoReturn
 
 from rigidtop.commands import (
     audit,
-    bench,
     certify,
     check,
     derive,
@@ -23,7 +22,6 @@ from rigidtop.commands import (
     new,
     notation,
     read,
-    referee,
     simulate,
     sweep,
     web,
@@ -46,8 +44,6 @@ COMMANDS = {
     "simulate": simulate,
     "certify": certify,
     "sweep": sweep,
-    "bench": bench,
-    "referee": referee,
 }
 """Each module has ABOUT, perhaps an EPILOG, `add_options(parser)`, and `run(options)`, which gives
 the exit code."""

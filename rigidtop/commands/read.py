@@ -25,7 +25,7 @@ ABOUT = "read the equations of anyone's notes, and say which are not understood"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument(
         "file", metavar="FILE", help="Markdown with $…$, LaTeX with its \\input files, a notebook"
     )

@@ -32,7 +32,7 @@ INTEGRATED = "DOP853"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     motions.add_motion(parser, table=True)
     run = parser.add_argument_group("the computation")
     run.add_argument("--time", type=motions.number, default=10.0, help="to this time, s (10)")
@@ -53,7 +53,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Compute and print."""
+    """Print a computed motion, or write it to a file and print a summary; the exit code is 0."""
     import numpy as np
 
     if options.output == "":

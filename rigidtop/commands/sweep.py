@@ -55,7 +55,7 @@ CONNECT_SECONDS = 10
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument(
         "-o", "--output", metavar="FILE", required=True, help="the file, a .npy for numpy.load"
     )

@@ -40,7 +40,7 @@ KINDS = ("heavy-top", "free")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """What can be asked."""
+    """Add the options of the command to its parser."""
     parser.add_argument("kind", nargs="?", metavar="PAGE", help="heavy-top or free")
     parser.add_argument(
         "-o", "--output", metavar="FILE", help="the page (default: heavy-top.html, free.html)"
@@ -50,7 +50,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the page."""
+    """Write the live page; the exit code is 0."""
     from rigidtop.terminal.files import write_whole
     from rigidtop.web.page import page
     from rigidtop.web.presets import PRESETS

@@ -125,9 +125,9 @@ def from_nodes(theta_dot: Any, v_phi: Any, psi: Any, library: Any = math) -> tup
     return theta_dot * sine - v_phi * cosine, theta_dot * cosine + v_phi * sine
 
 
-def to_nodes(omega1: float, omega2: float, psi: float) -> tuple[float, float]:
+def to_nodes(omega1: Any, omega2: Any, psi: Any, library: Any = math) -> tuple[Any, Any]:
     """The way back: θ̇ and φ̇ sin θ."""
-    sine, cosine = math.sin(psi), math.cos(psi)
+    sine, cosine = library.sin(psi), library.cos(psi)
     return omega1 * sine + omega2 * cosine, omega2 * sine - omega1 * cosine
 
 

@@ -23,12 +23,6 @@ T = TypeVar("T")
 Judged = Sequence[tuple[Page, Sequence[Judgement]]]
 
 
-class Fixed(str):
-    """Words of the document itself, which are said in its language; all others are authors'."""
-
-    __slots__ = ()
-
-
 @dataclass(frozen=True)
 class Front:
     """What stands on the first page of a lecture and of its exercises, and whose claims it has."""
@@ -245,7 +239,7 @@ class Table:
 
     @property
     def cells(self) -> list[list[Rich]]:
-        """Each as running text."""
+        """The cells of every row as running text."""
         return [[x if isinstance(x, tuple) else (x,) for x in row] for row in self.rows]
 
     @property
@@ -265,7 +259,7 @@ class Figure:
     caption: str
     alternative: str
     number: int = 0
-    kind: str = Fixed("Figure")
+    kind: str = "Figure"
 
     @property
     def anchor(self) -> str:
@@ -287,7 +281,7 @@ class ExerciseHead:
     number: int = 0
     points: str = ""
     level: int = 3
-    kind: str = Fixed("Exercise")
+    kind: str = "Exercise"
 
     @property
     def label(self) -> str:
@@ -308,7 +302,7 @@ class Results:
     """The numbered equations on one page: each number with its lines, its words, its verdict."""
 
     rows: tuple[tuple[str, tuple[Equation, ...], Rich, Verdict], ...]
-    head: tuple[str, ...] = (Fixed("number"), Fixed("equation"), Fixed("what it says"))
+    head: tuple[str, ...] = ("number", "equation", "what it says")
 
 
 @dataclass(frozen=True)
@@ -316,14 +310,14 @@ class Legend:
     """What the marks in the margin mean."""
 
     rows: tuple[tuple[Verdict, str], ...]
-    head: str = Fixed("In the margin, at each statement of the notes")
+    head: str = "In the margin, at each statement of the notes"
 
 
 @dataclass(frozen=True)
 class NameLine:
     """Where a student writes a name, and a date."""
 
-    words: tuple[str, ...] = (Fixed("Name"), Fixed("Date"))
+    words: tuple[str, ...] = ("Name", "Date")
 
 
 Block = (
@@ -344,10 +338,9 @@ Block = (
 
 @dataclass(frozen=True)
 class Look:
-    """How a document is set: its paper, its language, a preamble and a class of one's own."""
+    """How a document is set: its paper, a preamble and a class of one's own."""
 
     paper: str = "a4"
-    language: str = "en"
     preamble: str = ""
     documentclass: str = ""
 
@@ -401,7 +394,7 @@ def groups(block: Display) -> list[list[Row]]:
 
 def quantities(title: str, rows: Iterable[tuple[str, Piece, str]]) -> Table:
     """What was given or found: words, value, unit."""
-    head = (Fixed("what"), Fixed("value"), Fixed("unit"))
+    head = ("what", "value", "unit")
     cells = tuple((what, value, in_unit(unit)) for what, value, unit in rows)
     return Table(head, cells, title, "values", (1, 0, 0))
 

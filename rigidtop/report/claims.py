@@ -267,7 +267,7 @@ def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:
     at: list[b.Piece] = []
     for symbol, value in ordered:
         at += [
-            ", " if at else b.Fixed("at "),
+            ", " if at else "at ",
             lay.Chain((layout(symbol), short_number(value)), ("=",)),
         ]
     pair = found.left, found.right
@@ -293,9 +293,9 @@ def place(found: Counterexample) -> b.Rich:
     """
     match found.entry:
         case (row, column):
-            return (b.Fixed("in row "), f"{row}, ", b.Fixed("column "), f"{column}")
+            return (f"in row {row}, column {column}",)
         case (component,):
-            return (b.Fixed("in component "), f"{component}")
+            return (f"in component {component}",)
     return ()
 
 

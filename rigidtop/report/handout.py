@@ -39,7 +39,7 @@ class Parts:
     points: str = ""
 
     def equations(self, text: Text) -> list[Equation]:
-        """Those of its lines."""
+        """The equations of all lines of a text, in the notation."""
         return [self.notation.written(each) for line in text.lines for each in line.equations]
 
 
@@ -68,7 +68,7 @@ def sections(judged: b.Judged, exercises: Sequence[Solution], parts: Parts) -> l
         ]
         asked = [each for each in exercises if each.exercise.section == page.section]
         if len(asked) > 1:  # one says by itself what it is
-            made.append(b.Subhead(b.Fixed("Exercises")))
+            made.append(b.Subhead("Exercises"))
         for each in asked:
             made += question(each.exercise, each.settings, numbered[id(each)], parts.points)
     return made
@@ -131,7 +131,7 @@ def question(
         space = "\u00a0" if len(plain.rich(value)) < SHORT else " "
         settings += ["; " if settings else "", parameter.about, f":{space}", *value]
     if settings:
-        made.append(b.Paragraph((*(piece for piece in settings if piece), "."), b.Fixed("Given")))
+        made.append(b.Paragraph((*(piece for piece in settings if piece), "."), "Given"))
     return made
 
 
@@ -139,15 +139,15 @@ SHORT = 12
 """Letters of a value that stays with its name."""
 
 
-def counted(points: float) -> b.Fixed:
+def counted(points: float) -> str:
     """
     >>> counted(1), counted(2.5)
     ('1 point', '2.5 points')
     """
-    return b.Fixed(f"{points:g} point{'s' * (points != 1)}")
+    return f"{points:g} point{'s' * (points != 1)}"
 
 
-def total(points: str, exercises: int) -> b.Fixed:
+def total(points: str, exercises: int) -> str:
     """What a sheet can bring whose exercises can bring so much each.
 
     >>> total("2.5 points", 4)
@@ -162,15 +162,13 @@ def solutions(
     told: Mapping[str, b.Rich],
 ) -> list[b.Block]:
     """The appendix.  `told` says where a claim of the lecture was derived."""
-    made: list[b.Block] = [b.Heading(1, "", b.Fixed("Solutions of the exercises"), "solutions")]
+    made: list[b.Block] = [b.Heading(1, "", "Solutions of the exercises", "solutions")]
     known = dict(told)
     for number, each in enumerate(exercises, 1):
         place = f"{b.anchor(each.exercise.name)}-solution"
-        made.append(
-            b.ExerciseHead(each.exercise.title, place, "", number, kind=b.Fixed("Solution"))
-        )
+        made.append(b.ExerciseHead(each.exercise.title, place, "", number, kind="Solution"))
         made += answer(each, parts, known)
-        there = b.Fixed("Solution"), "\u00a0", b.Cited(f"{number}", place)
+        there = "Solution", "\u00a0", b.Cited(f"{number}", place)
         known = {j.claim.name: there for j in each.judgements} | known
     return made
 
@@ -184,9 +182,9 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, b.Rich]) -> list
     if there:
         names: list[Any] = []
         for k, claim in enumerate(there):
-            between = "" if k == 0 else b.Fixed(" and ") if k == len(there) - 1 else ", "
+            between = "" if k == 0 else " and " if k == len(there) - 1 else ", "
             names += [between, *_called(claim, told[claim.name])]
-        made.append(b.Paragraph((b.Fixed("We have shown: "), *(n for n in names if n), ".")))
+        made.append(b.Paragraph(("We have shown: ", *(n for n in names if n), ".")))
     text, lines = solution.text, solution.lines
     new = [j for j in solution.judgements if j.claim.name not in told]
     here = {line.id for line in text.lines} if text is not None else set()
@@ -208,7 +206,7 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, b.Rich]) -> list
 def laws(lines: Lecture, shown: Collection[str], notation: Notation) -> list[b.Block]:
     """What the derivations of the `shown` pages start from."""
     made = law_blocks(lines, shown, notation)
-    return [b.Heading(1, "", b.Fixed("Laws and definitions"), "laws"), *made] if made else []
+    return [b.Heading(1, "", "Laws and definitions", "laws"), *made] if made else []
 
 
 def _called(claim: Claim, place: b.Rich) -> b.Rich:
@@ -237,7 +235,7 @@ def results(solution: Solution) -> list[b.Block]:
 # --- Front and back ------------------------------------------------------------------------------
 
 
-STARTS = b.Fixed(
+STARTS = (
     "What a sentence cites by its name, or by the number of an equation that is not derived here, "
     "stands under “Laws and definitions” at the end."
 )
@@ -262,12 +260,12 @@ def summary(judged: b.Judged, parts: Parts) -> list[b.Block]:
                 rows.append((name, tuple(shown_), words, judgement.verdict))
     if not rows:
         return []
-    head = b.Heading(1, "", b.Fixed("Summary of results"), "results")
+    head = b.Heading(1, "", "Summary of results", "results")
     marked = any(verdict is Verdict.ASSUMING for *_, verdict in rows)
     return [head, *[b.Paragraph((CONDITIONS,))] * marked, b.Results(tuple(rows))]
 
 
-CONDITIONS = b.Fixed("The conditions of the marks stand in the text, with these statements.")
+CONDITIONS = "The conditions of the marks stand in the text, with these statements."
 
 
 def numbered(parts: Parts, number: str) -> list[Any]:
@@ -291,7 +289,7 @@ def looked_up(blocks: Sequence[b.Block], parts: Parts) -> list[b.Block]:
         for number in sorted(found - tags(blocks))
         for equation in numbered(parts, number)
     )
-    return [b.Heading(1, "", b.Fixed("Equations cited"), "cited"), b.Display(rows)] if rows else []
+    return [b.Heading(1, "", "Equations cited", "cited"), b.Display(rows)] if rows else []
 
 
 NUMBER = re.compile(r"(\(\d+\.\d+[a-z]?\))")
@@ -335,7 +333,7 @@ def _once(mark: b.Mark | None, noted: dict[b.Rich, b.Mark]) -> b.Mark | None:
     if first is mark or not b.is_number(first.name):
         return mark
     there = b.Cited(f"({first.name})", b.anchor(first.name))
-    return replace(mark, note=(b.Fixed("as "), there), above=mark.note)
+    return replace(mark, note=("as ", there), above=mark.note)
 
 
 ROOM = 65.0

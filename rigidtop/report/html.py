@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -14,7 +13,6 @@ from importlib.resources import files
 from rigidtop.proof.verdict import Verdict
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
-from rigidtop.report.languages import SHOWN, said
 from rigidtop.report.markdown import aligned
 from rigidtop.typeset import mathml, sizes
 from rigidtop.typeset import nodes as lay
@@ -56,12 +54,10 @@ def write(
     ]
     shown = ("slides.js", "projector.js") if slides else ("refit.js",)
     scripts = ("fit.js", *["lecture.js"] * (document.lecture and not slides), *shown)
-    own = {each: said(each, document.look.language) for each in SHOWN}
-    words = f' data-words="{escape(json.dumps(own, ensure_ascii=False))}"' * document.lecture
     # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
     script = f"<script>/*<![CDATA[*/{style(*scripts)}/*]]>*/</script>\n"
     return f"""<!DOCTYPE html>
-<html lang="{document.look.language}"{' class="lecture"' * document.lecture}{words}>
+<html lang="en"{' class="lecture"' * document.lecture}>
 <head>
 <meta charset="utf-8"/>
 <meta name="viewport" content="width=device-width, initial-scale=1"/>
@@ -101,9 +97,8 @@ def _contents(document: b.Document) -> str:
         return ""
     # On a narrow page the contents of a lecture are closed, or its title would stand below them.
     state = "" if document.lecture else ' open="open"'
-    title = said("Contents", document.look.language)
     return (
-        f'<nav class="toc" aria-label="{title}"><details{state}><summary>{title}</summary>'
+        f'<nav class="toc" aria-label="Contents"><details{state}><summary>Contents</summary>'
         f"<ul>\n{items}\n</ul></details></nav>"
     )
 

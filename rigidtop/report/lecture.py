@@ -17,7 +17,6 @@ from rigidtop.proof.verdict import Judgement
 from rigidtop.report import blocks as b
 from rigidtop.report import handout, html, marks, myst, notations, plain, tex, typst
 from rigidtop.report.handout import Parts, order_of_figures, spoken_of
-from rigidtop.report.languages import said, translated
 from rigidtop.report.map import contracted
 from rigidtop.report.map import label as map_label
 from rigidtop.report.map import picture as map_picture
@@ -78,7 +77,7 @@ class Picture:
         return same and self.drawing.values(self.given) == other.drawing.values(other.given)
 
     def motions(self) -> Sequence[Motion]:
-        """Those that it shows."""
+        """The motions that the picture shows; none where it shows another thing."""
         of = self.drawing.motions
         return of(**self.drawing.values(self.given)) if of else ()
 
@@ -166,11 +165,11 @@ class Edition:
         return self.notation or NOTES_NOTATION
 
     def handed_out(self, title: str, subtitle: str, blocks: Sequence[b.Block]) -> b.Document:
-        """What is handed out, with verdicts in the margin and the fixed words in its language."""
+        """What is handed out, with verdicts in the margin."""
         front = self.front
         about = front.source, front.author, front.byline
         whole = b.Document(title, subtitle, tuple(blocks), *about, True, self.look)
-        return translated(_introduced(whole, self.notation))
+        return _introduced(whole, self.notation)
 
 
 @dataclass(frozen=True)
@@ -247,9 +246,7 @@ def lecture(
     told: dict[str, b.Rich] = {}
     for page, judgements in judged:
         *_, head = b.headings(page)
-        place = (
-            (b.Fixed("section"), f"\u00a0{head.number}") if head.number else (f"“{head.title}”",)
-        )
+        place = (f"section\u00a0{head.number}",) if head.number else (f"“{head.title}”",)
         told |= {j.claim.name: place for j in judgements}
     blocks: list[b.Block] = [marks.legend(everything)]
     if not student:
@@ -258,7 +255,7 @@ def lecture(
     blocks += [b.Paragraph((handout.STARTS,))] if laws else []
     blocks += handout.sections(judged, solutions, parts)
     if chart is not None:
-        blocks += [b.Heading(1, "", b.Fixed("What rests on what"), "map"), numbered[chart.name]]
+        blocks += [b.Heading(1, "", "What rests on what", "map"), numbered[chart.name]]
     blocks += handout.summary(judged, parts)
     if not student and solutions:
         blocks += handout.solutions(solutions, parts, told)
@@ -268,9 +265,7 @@ def lecture(
     return edition.handed_out(front.title, front.subtitle, blocks), pictures
 
 
-LETTERS = b.Heading(
-    1, "", b.Fixed("Symbols, letter by letter in the order of first use"), "letters"
-)
+LETTERS = b.Heading(1, "", "Symbols, letter by letter in the order of first use", "letters")
 
 LEAST = 4
 """So many numbered equations make a map."""
@@ -379,14 +374,14 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     for number, each in enumerate(solutions, 1):
         made += handout.question(each.exercise, each.settings, number, points)
         if not student:
-            made.append(b.Subhead(b.Fixed("Solution")))
+            made.append(b.Subhead("Solution"))
             made += handout.answer(each, parts, told)
             told = {j.claim.name: () for j in each.judgements} | told
     made += handout.looked_up(made, parts)
     made = handout.linked(handout.parted([*made, *symbol_list(made, LETTERS)]))
     about = ["Questions" if student else "Questions and solutions"]
     about += [handout.total(points, len(solutions))] if points else []
-    subtitle = ", ".join(said(words, edition.look.language) for words in about)
+    subtitle = ", ".join(about)
     front = edition.front
     if student and front.questions:
         edition = replace(edition, front=replace(front, source=front.questions))

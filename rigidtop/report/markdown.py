@@ -7,9 +7,6 @@ has executed; Markdown they show in any case, in the colours of their theme.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from functools import singledispatch
-
-from sympy import Basic
 
 from rigidtop.report import blocks as b
 from rigidtop.typeset import sizes
@@ -23,11 +20,6 @@ LINE = 84.0
 def markdown(blocks: Sequence[b.Block]) -> str:
     """The blocks of a claim or of an exercise, one below the other."""
     return "\n\n".join(map(_block, blocks))
-
-
-def formula(node: Basic) -> str:
-    """In running text."""
-    return f"${latex(node)}$"
 
 
 def words(content: str) -> str:
@@ -54,41 +46,43 @@ def _piece(piece: b.Piece) -> str:
         return _plain(piece.spaced)
     if isinstance(piece, b.Cited):
         return f"[{_plain(piece.words)}](#{piece.anchor})"
-    return words(piece) if isinstance(piece, str) else formula(piece)
+    return words(piece) if isinstance(piece, str) else f"${latex(piece)}$"
 
 
 def _label(label: str) -> str:
     return f"*{words(label)}.* " if label else ""
 
 
-@singledispatch
 def _block(block: b.Block) -> str:
+    match block:
+        case b.ClaimHead():
+            verdict = f"{b.MARKS[block.verdict]} {block.verdict}"
+            return f"**{_plain(block.shown)}** — **{verdict}**\n\n*The claim.* {words(block.says)}"
+        case b.Paragraph():
+            return _label(block.label) + running(block.content)
+        case b.Display():
+            return "\n\n".join(filter(None, [_label(block.label).strip(), *map(_row, block.rows)]))
+        case b.Items():
+            items = "\n".join(f"- {running(item)}" for item in block.items)
+            return f"{_label(block.label).strip()}\n\n{items}"
+        case b.ExerciseHead():
+            return f"**{words(block.title)}** ({words(block.asks)})"
+        case b.Subhead():
+            return f"**{words(block.words)}**"
+        case b.Table():
+            rows = [[running(cell).strip() for cell in row] for row in block.cells]
+            if block.kind == "values":
+                return _table((words(block.title), "", ""), rows, block.right)
+            title = f"*{words(block.title)}*\n\n" if block.title else ""
+            return title + _table([*map(words, block.head)], rows, block.right)
     raise TypeError(f"no Markdown for {type(block).__name__}")
 
 
-@_block.register
-def _(block: b.ClaimHead) -> str:
-    verdict = f"{b.MARKS[block.verdict]} {block.verdict}"
-    return f"**{_plain(block.shown)}** — **{verdict}**\n\n*The claim.* {words(block.says)}"
-
-
-@_block.register
-def _(block: b.Paragraph) -> str:
-    return _label(block.label) + running(block.content)
-
-
-@_block.register
-def _(block: b.Display) -> str:
-    return "\n\n".join(filter(None, [_label(block.label).strip(), *map(_row, block.rows)]))
-
-
 def _row(row: b.Row) -> str:
-    reason = running(row.spoken)
     lines = [align_row(line) for line in sizes.lines(row.equation, row.order, LINE)]
     lines[-1] += rf" && \text{{({row.tag})}}" if row.tag else ""
     lines[-1] += rf" && \text{{{row.verdict}}}" if row.verdict is not None else ""
-    display = f"$$\n{aligned(lines)}\n$$"
-    return "\n\n".join(filter(None, [reason, display]))
+    return "\n\n".join(filter(None, [running(row.spoken), f"$$\n{aligned(lines)}\n$$"]))
 
 
 def aligned(lines: Sequence[str]) -> str:
@@ -96,30 +90,6 @@ def aligned(lines: Sequence[str]) -> str:
     # A bracket at the start of a line would be read as an option.
     safe = ["{}" + line if line.startswith("[") else line for line in lines]
     return "\\begin{aligned}\n" + " \\\\\n".join(safe) + "\n\\end{aligned}"
-
-
-@_block.register
-def _(block: b.Items) -> str:
-    return f"{_label(block.label).strip()}\n\n" + "\n".join(f"- {running(x)}" for x in block.items)
-
-
-@_block.register
-def _(block: b.ExerciseHead) -> str:
-    return f"**{words(block.title)}** ({words(block.asks)})"
-
-
-@_block.register
-def _(block: b.Subhead) -> str:
-    return f"**{words(block.words)}**"
-
-
-@_block.register
-def _(block: b.Table) -> str:
-    rows = [[running(cell).strip() for cell in row] for row in block.cells]
-    if block.kind == "values":
-        return _table((words(block.title), "", ""), rows, block.right)
-    title = f"*{words(block.title)}*\n\n" if block.title else ""
-    return title + _table([*map(words, block.head)], rows, block.right)
 
 
 def _table(head: Sequence[str], rows: Sequence[Sequence[str]], right: Collection[int]) -> str:

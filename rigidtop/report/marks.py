@@ -17,17 +17,15 @@ from rigidtop.typeset.layout import layout
 from rigidtop.typeset.nodes import Chain, Node
 
 LEGEND: Mapping[Verdict, str] = {
-    Verdict.PROVED: b.Fixed("it was shown to hold, in symbols"),
-    Verdict.SAMPLED: b.Fixed(
-        "it holds at random points to 40 digits, and was not shown in symbols"
-    ),
-    Verdict.ASSUMING: b.Fixed(
+    Verdict.PROVED: "it was shown to hold, in symbols",
+    Verdict.SAMPLED: "it holds at random points to 40 digits, and was not shown in symbols",
+    Verdict.ASSUMING: (
         "it holds under the condition noted with it, which the notes do not state, or under one "
         "that stands in its lines"
     ),
-    Verdict.CONVENTION: b.Fixed("right in content, at odds with the notes’ own definitions"),
-    Verdict.FALSE: b.Fixed("it does not hold as the notes have it; the right form stands beneath"),
-    Verdict.UNDECIDED: b.Fixed("neither shown nor refuted"),
+    Verdict.CONVENTION: "right in content, at odds with the notes’ own definitions",
+    Verdict.FALSE: "it does not hold as the notes have it; the right form stands beneath",
+    Verdict.UNDECIDED: "neither shown nor refuted",
 }
 
 
@@ -69,7 +67,7 @@ def _note(judgement: Judgement, lines: Sequence[Equation]) -> b.Rich:
     letters = {x for each in lines for x in _letters(*each.sides)}
     pieces: list[b.Piece] = []
     for words, assumed in together.items():
-        pieces += ["; " if pieces else "", b.Fixed("if "), words]
+        pieces += ["; " if pieces else "", "if ", words]
         if words and lines and not letters.issuperset(_letters(*(a.condition for a in assumed))):
             continue
         pieces.append(" (" if words else "")
@@ -83,7 +81,7 @@ def _letters(*parts: Basic) -> set[Basic]:
     return {letter for part in parts for letter in part.free_symbols}
 
 
-SAID = b.Fixed("The notes say: ")
+SAID = "The notes say: "
 
 
 def _related(left: b.Piece, relation: str, right: b.Piece) -> b.Rich:
@@ -97,25 +95,25 @@ def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block
     """A statement that is wrong, its numbers, and its corrected form, in a sentence."""
     claim = judgement.claim
     said = {
-        Verdict.FALSE: b.Fixed("This is false"),
-        Verdict.CONVENTION: b.Fixed("This is at odds with the notes’ own definitions"),
+        Verdict.FALSE: "This is false",
+        Verdict.CONVENTION: "This is at odds with the notes’ own definitions",
     }[judgement.verdict]
     words: list[b.Piece] = [SAID, f"{claim.says.rstrip('.')}. ", said]
     failed = next((f for f in judgement.findings() if f.counterexample), None)
     if failed is not None and failed.counterexample is not None:
         at, left, right = refuted(failed.counterexample)
         claimed = layout(failed.check.claimed, "printed")
-        what = f"({claim.name})" if b.is_number(claim.name) else b.Fixed("the equation")
+        what = f"({claim.name})" if b.is_number(claim.name) else "the equation"
         words += [": ", *at, ", " if at else ""]
-        words += [claimed] if in_words(claimed) else [what, b.Fixed(" as the notes print it")]
+        words += [claimed] if in_words(claimed) else [what, " as the notes print it"]
         entry = place(failed.counterexample)
-        words += [b.Fixed(" would be "), *_related(left, failed.check.claimed.relation, right)]
+        words += [" would be ", *_related(left, failed.check.claimed.relation, right)]
         words += [" ", *entry] if entry else []
     corrected = [c for c in judgement.corrections() if c.check.claimed.sides not in there]
     equations = [finding.check.claimed for finding in corrected]
     short = [layout(equation, "printed") for equation in equations]
     if len(short) == 1 and in_words(short[0]) and not corrected[0].check.reason:
-        words += [b.Fixed(". It should be "), short[0], *_under(corrected[0]), "."]
+        words += [". It should be ", short[0], *_under(corrected[0]), "."]
         yield b.Paragraph(tuple(words), mark=None)
         return
     yield b.Paragraph((*(each for each in words if each != ""), "."), held=bool(corrected))

@@ -9,7 +9,7 @@ from sympy import Symbol
 
 from rigidtop.notation import Notation
 from rigidtop.proof.words import unmarked
-from rigidtop.report.blocks import Block, Fixed, Heading, Paragraph, Rich, Table
+from rigidtop.report.blocks import Block, Heading, Paragraph, Rich, Table
 from rigidtop.report.wording import Wording
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Lettered, stands_for
@@ -84,7 +84,7 @@ def origin(notation: Notation) -> str:
 
 def front(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
     """A section about the notation and its symbols, of those that are `used`."""
-    made: list[Block] = [Heading(1, "", Fixed("Notation"), "notation")]
+    made: list[Block] = [Heading(1, "", "Notation", "notation")]
     made.append(Paragraph((origin(notation).removeprefix("Notation: "),)))
     found = different(notation, used)
     if notation.images:
@@ -94,8 +94,8 @@ def front(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
         cells = tuple(
             (means(x.quantity.meaning), layout(x), layout(notation.in_notes(x))) for x in found
         )
-        head = (Fixed("meaning"), Fixed("here"), Fixed("in the notes"))
-        made.append(Table(head, cells, Fixed("Written otherwise"), "text", (0.62, 0, 0)))
+        head = ("meaning", "here", "in the notes")
+        made.append(Table(head, cells, "Written otherwise", "text", (0.62, 0, 0)))
     return made
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Sequence
-from functools import singledispatch
 
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
@@ -38,53 +37,36 @@ def _wrapped(words: str, width: int, first: str = "", rest: str = "") -> list[st
     )
 
 
-@singledispatch
 def _lines(block: b.Block, width: int) -> list[str]:
+    match block:
+        case b.ClaimHead():
+            return ["", f"{block.shown}  [{block.verdict}]", *_wrapped(block.says, width)]
+        case b.Paragraph():
+            label = f"{block.label}: " if block.label else ""
+            return ["", *_wrapped(label + rich(block.content), width)]
+        case b.Display():
+            rows = [line for row in block.rows for line in _row(row, width)]
+            return ["", *[f"{block.label}:"] * bool(block.label), *rows]
+        case b.Items():
+            items = [_wrapped(rich(item), width, "  • ", "    ") for item in block.items]
+            return ["", f"{block.label}:", *(line for item in items for line in item)]
+        case b.ExerciseHead():
+            return _wrapped(f"{block.title}  ({block.asks})", width)
+        case b.Subhead():
+            return ["", f"── {unmarked(block.words)} ".ljust(width, "─")]
+        case b.Table():
+            return _table(block, width)
     raise TypeError(f"no text for {type(block).__name__}")
 
 
-@_lines.register
-def _(block: b.ClaimHead, width: int) -> list[str]:
-    return ["", f"{block.shown}  [{block.verdict}]", *_wrapped(block.says, width)]
+def _row(row: b.Row, width: int) -> list[str]:
+    """An equation beneath its sentence."""
+    reason = _wrapped(rich(row.spoken), width, "  ", "  ") if row.reason else []
+    marks = (f"({row.tag})" if row.tag else "", f"[{row.verdict}]" if row.verdict else "")
+    return [*reason, "  ".join(filter(None, (f"    {text(row.equation, row.order)}", *marks)))]
 
 
-@_lines.register
-def _(block: b.Paragraph, width: int) -> list[str]:
-    label = f"{block.label}: " if block.label else ""
-    return ["", *_wrapped(label + rich(block.content), width)]
-
-
-@_lines.register
-def _(block: b.Display, width: int) -> list[str]:
-    made = ["", f"{block.label}:"] if block.label else [""]
-    for row in block.rows:
-        reason = _wrapped(rich(row.spoken), width, "  ", "  ") if row.reason else []
-        marks = (f"({row.tag})" if row.tag else "", f"[{row.verdict}]" if row.verdict else "")
-        equation = "  ".join(filter(None, (f"    {text(row.equation, row.order)}", *marks)))
-        made += [*reason, equation]
-    return made
-
-
-@_lines.register
-def _(block: b.Items, width: int) -> list[str]:
-    made = ["", f"{block.label}:"]
-    for item in block.items:
-        made += _wrapped(rich(item), width, "  • ", "    ")
-    return made
-
-
-@_lines.register
-def _(block: b.ExerciseHead, width: int) -> list[str]:
-    return _wrapped(f"{block.title}  ({block.asks})", width)
-
-
-@_lines.register
-def _(block: b.Subhead, width: int) -> list[str]:
-    return ["", f"── {unmarked(block.words)} ".ljust(width, "─")]
-
-
-@_lines.register
-def _(block: b.Table, width: int) -> list[str]:
+def _table(block: b.Table, width: int) -> list[str]:
     rows = [[*map(rich, row)] for row in block.cells]
     if block.kind == "values":
         values = [(value, unit.strip(), what) for what, value, unit in rows]

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from sympy import Basic, Symbol, elliptic_f, elliptic_k
 
-from rigidtop.report.blocks import Block, Display, Fixed, Heading, Table, in_unit
+from rigidtop.report.blocks import Block, Display, Heading, Table, in_unit
 from rigidtop.theory.lettered import known
 from rigidtop.theory.symbols import Glyph, Quantity
 from rigidtop.typeset.layout import layout
@@ -26,7 +26,7 @@ def symbol_list(blocks: Sequence[Block], heading: Heading) -> tuple[Block, ...]:
             row = (layout(symbol), quantity.meaning, in_unit(quantity.unit))
             rows.append(((at, len(quantity.glyph.accent), place, str(symbol)), row))
     shown = tuple(row for _, row in sorted(rows, key=lambda pair: pair[0]))
-    head = (Fixed("symbol"), Fixed("meaning"), Fixed("unit"))
+    head = ("symbol", "meaning", "unit")
     return (heading, Table(head, shown, "", "symbols", (0, 1, 0))) if shown else ()
 
 

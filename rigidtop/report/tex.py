@@ -14,7 +14,6 @@ from rigidtop.notation.characters import ESCAPES
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
-from rigidtop.report.languages import said
 from rigidtop.report.tex_lines import (
     aligned,
     goes_on,
@@ -43,7 +42,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     contents = r"{\setlength{\parskip}{0pt plus 1fil}\section*{\contentsname}\rttoc}"
     contents *= bool(document.contents)
     if document.lecture:
-        words = prose(said("Contents", document.look.language)) if contents else title
+        words = "Contents" if contents else title
         # Without sections the title stands above all pages.
         kept = "" if contents else r"\def\markboth#1#2{}"
         contents += rf"\markboth{{}}{{{words}}}{kept}\thispagestyle{{plain}}"
@@ -163,10 +162,6 @@ COLUMN = 36.0
 """Letters of a line in a column of a page of one's own."""
 
 
-LANGUAGES = {"en": "british", "de": "ngerman", "fr": "french", "es": "spanish", "it": "italian"}
-"""What babel calls a language."""
-
-
 def style_file() -> str:
     """rigidtop.sty, which a lecture and fragments of it are written with."""
     colors = "\n".join(
@@ -201,8 +196,6 @@ def _preamble(document: b.Document, noted: bool) -> str:
     if document.lecture and not noted:  # nothing stands beside it
         made = made.replace("textwidth=134mm", "textwidth=146mm").replace("left=25mm", "hcentering")
     made = made.replace("@PAPER@", f"{look.paper}paper")
-    made = made.replace("@LANGUAGE@", LANGUAGES[look.language])
-    made = made.replace("@CONTENTS@", prose(said("Contents", look.language)))
     made = made.replace("@STYLE@", _inside(style_file()))
     if look.documentclass:
         made = made.replace("{article}", f"{{{look.documentclass}}}", 1)

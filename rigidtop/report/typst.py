@@ -13,7 +13,6 @@ from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import Verdict
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
-from rigidtop.report.languages import said
 from rigidtop.report.pdf import written_at
 from rigidtop.report.tex_lines import (
     abreast,
@@ -35,8 +34,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` says where the file of each figure lies, as seen from it."""
     body = "\n\n".join(_joined(document.blocks, figures))
     depth = 2 if document.lecture else 3
-    title = said("Contents", document.look.language)
-    contents = f"#text(size: 9.5pt)[#outline(title: [{title}], depth: {depth})]"
+    contents = f"#text(size: 9.5pt)[#outline(title: [Contents], depth: {depth})]"
     return "\n".join(
         [
             _preamble(document),
@@ -81,7 +79,6 @@ def _preamble(document: b.Document) -> str:
     }
     about["@DATE@"] = time.strftime("year: %Y, month: %m, day: %d", time.gmtime(written_at()))
     about["@PAPER@"] = {"a4": "a4", "letter": "us-letter"}[document.look.paper]
-    about["@LANGUAGE@"] = document.look.language
     about["@RIGHT@"] = "51mm" if document.lecture else "28mm"
     made = _style()
     for place, words in about.items():

@@ -24,7 +24,7 @@ from rigidtop.proof.values import tree
 from rigidtop.proof.verdict import Judgement, Led
 from rigidtop.proof.words import bold
 from rigidtop.report import blocks as b
-from rigidtop.report import languages, plain
+from rigidtop.report import plain
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.wording import Wording
 from rigidtop.typeset.layout import layout
@@ -186,14 +186,8 @@ def cited_figures(words: Sequence[b.Piece]) -> list[str]:
     return [m[2] for piece in words if isinstance(piece, str) for m in _FIGURE.finditer(piece)]
 
 
-_NOUNS = {fixed["Figure"] for fixed in languages.WORDS.values()}
-
-
 def _with_figures(words: str, figures: Mapping[str, b.Figure]) -> b.Rich:
-    """Text that cites figures by their numbers; in its own words where they have none.
-
-    The noun is that of the author's own words, in their language; a German one has a capital.
-    """
+    """Text that cites figures by their numbers; in its own words where they have none."""
     made: list[Any] = []
     end = 0
     for found in _FIGURE.finditer(words):
@@ -202,8 +196,7 @@ def _with_figures(words: str, figures: Mapping[str, b.Figure]) -> b.Rich:
         if figure is None:
             made.append(found[1])
         else:
-            noun = next((x for x in _NOUNS if x.lower() in found[1].lower()), "Figure")
-            noun = noun if found[1][:1].isupper() or noun == "Abbildung" else noun.lower()
+            noun = "Figure" if found[1][:1].isupper() else "figure"
             made.append(b.Cited(f"{noun} {figure.number}", figure.anchor))
         end = found.end()
     return tuple(piece for piece in (*made, words[end:]) if piece)

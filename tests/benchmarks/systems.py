@@ -15,11 +15,11 @@ from typing import Any
 
 import numpy as np
 import sympy
+from motions import END, TOLERANCE
 from numpy.typing import NDArray
+from rows import ROUNDS, Row, Task, Way, measured, missing, table
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
-from rigidtop.bench.motions import END, TOLERANCE
-from rigidtop.bench.rows import ROUNDS, Row, Task, Way, measured, missing, table
 from rigidtop.system.parts import Mass
 from rigidtop.system.system import System
 from rigidtop.theory import top

@@ -29,7 +29,7 @@ def written(tmp_path_factory):
         "--points",
         "4",
     ]
-    look = ["--paper", "letter", "--language", "de", "--preamble", str(preamble)]
+    look = ["--paper", "letter", "--preamble", str(preamble)]
     kinds = ["--slides", "--fragment", "--format", "myst"]
     out = folder / "out"
     assert main(["lecture", f"{folder / 'my_course'}/", "-o", str(out), *own, *look, *kinds]) == 0
@@ -48,20 +48,12 @@ def test_title_author_course_paper_and_preamble_are_ones_own(written):
     assert r"\dot{\theta}$\par}" in source
     assert "A. Lecturer, PHY 1" in source
     assert "letterpaper" in source
-    assert r"\usepackage[ngerman]{babel}" in source
     assert "% my own preamble" in source
-    assert "{4 Punkte}" in source
+    assert "{4 points}" in source
     page = (written / "lecture.html").read_text("utf-8")
-    assert '<html lang="de" class="lecture"' in page
-    assert "{&quot;Results only&quot;: &quot;Nur Ergebnisse" in page
+    assert '<html lang="en" class="lecture"' in page
     assert '<p class="byline">A. Lecturer, PHY 1</p>' in page
     assert "<title>Pendulums at $5: θ̇</title>" in page
-
-
-def test_ones_own_words_are_not_translated(written):
-    source = (written / "lecture.tex").read_text("utf-8")
-    assert r"\rtexercise{Aufgabe 1. value}" in source
-    assert r"\rtnote{falls at" in source
 
 
 def test_a_verdict_is_a_mark_with_its_word(written):
@@ -87,7 +79,6 @@ def test_every_link_of_a_course_site_leads_somewhere(written):
     [
         (["--record", "--slides"], "--record is the record alone"),
         (["--record", "--live"], "--record is the record alone"),
-        (["--language", "xx"], "no language 'xx'; there are en, de"),
         (["--preamble", "nowhere.tex"], "cannot read nowhere.tex: No such file"),
         (["--class", "a}b"], "--class wants the name of a LaTeX class"),
         (["--points", "0"], "--points wants a number above 0, up to 1000"),

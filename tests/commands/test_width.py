@@ -58,7 +58,6 @@ def test_help(printed, command):
         "sweep -o map.npy --axis omega3=1:9:3",
         "new course",
         "web heavy-top",
-        "referee --help",
     ],
 )
 def test_what_is_printed(printed, asked):

@@ -31,7 +31,6 @@ from rigidtop.report.blocks import (
     ExerciseHead,
     Figure,
     Heading,
-    Legend,
     Look,
     NameLine,
     Paragraph,
@@ -43,10 +42,8 @@ from rigidtop.report.blocks import (
 )
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.handout import CONDITIONS, Parts, summary
-from rigidtop.report.languages import SHOWN, WORDS, translated
 from rigidtop.report.lecture import FORMATS, LETTERS, Edition, fragment, lecture, record, sheet
 from rigidtop.report.map import columns, heights, reduced
-from rigidtop.report.marks import LEGEND
 from rigidtop.report.numbers import written
 from rigidtop.report.symbols import symbols_used
 from rigidtop.report.ways import law_blocks, running
@@ -531,8 +528,6 @@ def test_a_sheet_is_signed_and_numbered(solutions, lines):
     edition = Edition(student=True, points="2.5 points", lines=lines)
     document, pictures = sheet(solutions, edition)
     assert document.subtitle == f"Questions, {2.5 * len(EXERCISES):g} points"
-    german = sheet(solutions[:2], replace(edition, look=Look(language="de")))[0]
-    assert german.subtitle == "Fragen, 5 Punkte"
     # What a question cites stands beneath.
     rows = [row for block in document.blocks if isinstance(block, Display) for row in block.rows]
     assert {row.tag for row in rows} >= {"3.52", "3.57"}
@@ -730,60 +725,19 @@ def test_the_arrow_keys_uncover_lines(projector):
     [
         ("see [the figure](#figure-torque).", "figure 6"),
         ("[The figure](#figure-torque) shows it.", "Figure 6"),
-        ("wie die [Abbildung](#figure-torque) zeigt.", "Abbildung 6"),
-        ("[la figura](#figure-torque).", "figura 6"),
     ],
 )
-def test_a_figure_is_cited_in_the_language_of_the_sentence(words, cited):
+def test_a_figure_is_cited_as_the_sentence_has_it(words, cited):
     figures = {"torque": Figure("torque", "A caption.", "A picture.", 6)}
     [piece] = [each for each in running([words], figures=figures) if isinstance(each, Cited)]
     assert piece.words == cited
 
 
-def test_fixed_words_are_in_the_language_of_the_lecture(document):
-    own = translated(replace(document, look=Look(language="de")))
-    titles = [block.title for block in own.blocks if isinstance(block, Heading)]
-    assert "Lösungen der Aufgaben" in titles
-    assert "Solutions of the exercises" not in titles
-    labels = {block.label for block in own.blocks if isinstance(block, (Figure, ExerciseHead))}
-    assert {"Abbildung 1", "Aufgabe 1"} <= labels
-    [symbols] = [block for block in own.blocks if _is(block, "symbols")]
-    assert symbols.head == ("Zeichen", "Bedeutung", "Einheit")
-    shown = html.html_block(symbols)
-    assert all(f'<th scope="col">{word}</th>' in shown for word in symbols.head)
-    assert translated(document) is document
-    [legend] = [block for block in own.blocks if isinstance(block, Legend)]
-    assert dict(legend.rows)["proved"] == "symbolisch bewiesen"
-    notes = [
-        plain.rich(row.mark.note)
-        for block in own.blocks
-        if isinstance(block, Display)
-        for row in block.rows
-        if row.mark
-    ]
-    assert "wie (3.38)" in notes
-    assert not any(each.startswith("as ") for each in notes)
-    assert "falls the top is not upright and does not hang (sin θ ≠ 0)" in notes
-    said = [plain.rich(block.content) for block in own.blocks if isinstance(block, Paragraph)]
-    assert any(x.startswith("Wir haben gezeigt: (3.40) und “In the space") for x in said)
-    [wrong] = [each for each in said if each.startswith("Im Skript steht: In the space frame all")]
-    assert "Das ist falsch: für λ₁ = 1" in wrong
-    assert "wäre 0 ≠ 0" in wrong
-    for language, fixed in WORDS.items():
-        assert language in tex.LANGUAGES
-        assert {*SHOWN, *LEGEND.values()} <= set(fixed)
-        assert all(fixed.values())
-        there = translated(replace(document, look=Look(language=language)))
-        assert tex.write(there, {b.name: "x" for b in there.blocks if isinstance(b, Figure)})
-
-
 def test_a_lecture_of_ones_own_looks(document):
-    look = Look("letter", "de", "% mine\n", "scrartcl")
+    look = Look("letter", "% mine\n", "scrartcl")
     own = replace(document, look=look, title="Kreisel", byline="A. Lecturer, PHY 305")
     source = tex.write(own, {b.name: "x" for b in own.blocks if isinstance(b, Figure)})
     assert r"\documentclass[10pt,letterpaper,fleqn]{scrartcl}" in source
-    assert r"\IfFileExists{ngerman.ldf}{\usepackage[ngerman]{babel}}" in source
-    assert r"\renewcommand{\contentsname}{Inhalt}" in source
     assert re.search(r"% mine\s+\\begin\{document\}", source)
     assert "A. Lecturer, PHY 305" in source
     assert "pdftitle={Kreisel}" in source

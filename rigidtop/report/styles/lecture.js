@@ -1,7 +1,6 @@
 // What a reader may do: fold derivations, copy an equation as LaTeX, choose light or dark.
 (() => {
   const root = document.documentElement;
-  const words = JSON.parse(root.dataset.words);
   const contents = document.querySelector(".toc details");
   if (contents && matchMedia("(min-width: 78rem)").matches) contents.open = true;
   const tools = document.createElement("div");
@@ -11,7 +10,7 @@
   const button = (said, act) => {
     const made = document.createElement("button");
     made.type = "button";
-    made.textContent = words[said];
+    made.textContent = said;
     made.addEventListener("click", () => act(made));
     tools.append(made);
     return made;
@@ -36,19 +35,19 @@
   for (const row of document.querySelectorAll("[data-tex]")) {
     const copy = document.createElement("button");
     copy.type = "button";
-    copy.textContent = words["Copy LaTeX"];
+    copy.textContent = "Copy LaTeX";
     copy.addEventListener("click", async () => {
       try {
         await navigator.clipboard.writeText(row.dataset.tex);
-        copy.textContent = words.Copied;
+        copy.textContent = "Copied";
       } catch {
         prompt("LaTeX", row.dataset.tex);
       }
-      setTimeout(() => { copy.textContent = words["Copy LaTeX"]; }, 1500);
+      setTimeout(() => { copy.textContent = "Copy LaTeX"; }, 1500);
     });
     const link = document.createElement("a");
     link.href = `#${row.id}`;
-    link.textContent = words.Link;
+    link.textContent = "Link";
     const take = document.createElement("div");
     take.className = "take";
     take.append(link, copy);

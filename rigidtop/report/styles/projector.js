@@ -8,7 +8,7 @@
   place.setAttribute("aria-live", "polite");
   document.querySelector("main").append(place);
   const help = document.createElement("span");
-  help.textContent = `${JSON.parse(view.dataset.words)["→ ← a line, ↓ ↑ a slide, a all of it, f full screen"]} \u2003 `;
+  help.textContent = "→ ← a line, ↓ ↑ a slide, a all of it, f full screen \u2003 ";
   let part = -1;
   let line = 0;
   const show = (to, uncovered) => {

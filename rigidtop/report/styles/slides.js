@@ -4,7 +4,6 @@ const upright = view.clientHeight > view.clientWidth;
 const [width, height] = upright ? [640, Math.round((640 * view.clientHeight) / view.clientWidth)] : [1280, 720];
 const slides = (() => {
   const main = document.querySelector("main");
-  const { continued } = JSON.parse(view.dataset.words);
   const screen = document.createElement("style");
   screen.textContent =
     `.shown { --width: ${width}px; --height: ${height}px; } @page { size: ${width}px ${height}px; }`;
@@ -111,7 +110,7 @@ const slides = (() => {
     made.className = "slide";
     if (title) {
       const head = again(title);
-      (head.querySelector("h3, h4, h5") ?? head).append(` (${continued})`);
+      (head.querySelector("h3, h4, h5") ?? head).append(" (continued)");
       made.append(head);
     }
     return made;
@@ -144,7 +143,7 @@ const slides = (() => {
           const copy = whole.cloneNode(true);
           for (const each of copy.querySelectorAll("tbody tr, li")) each.remove();
           copy.querySelectorAll("th[scope=col], thead td").forEach((each, n) => { each.style.width = `${widths[n]}px`; });
-          if (k) copy.querySelector("caption")?.append(` (${continued})`);
+          if (k) copy.querySelector("caption")?.append(" (continued)");
           open = { at: slide, copy, inside: copy.querySelector("tbody") ?? copy };
           slide.append(copy);
         }

@@ -5,15 +5,20 @@ shorter one; the error is the largest angle between its attitude and the exact o
 the order is that in which halving the step lessens it, as far as that is more than rounding.  What
 an engine is asked to do is what its manual has for a body that turns about a point, without
 contacts.
+
+Run ``python tests/benchmarks/referee.py``; ``-o FOLDER`` writes the exact motions as files, for
+those who write simulators.
 """
 
 from __future__ import annotations
 
+import argparse
 import importlib
 import json
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -24,6 +29,8 @@ from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import EXAMPLE_TOP
+from rigidtop.terminal.files import write_all
+from rigidtop.terminal.progress import bar
 
 SAMPLES = 20
 """So many times after t = 0."""
@@ -390,9 +397,16 @@ def table(scores: Sequence[Score]) -> str:
     return "\n\n".join([*blocks, said])
 
 
-def records(scores: Sequence[Score]) -> list[Mapping[str, object]]:
-    """The scores for JSON."""
-    return [
-        {**vars(score), "order": score.order if math.isfinite(score.order) else None}
-        for score in scores
-    ]
+def main() -> None:
+    parser = argparse.ArgumentParser(description="Hold simulators against the exact motions.")
+    parser.add_argument("-o", "--output", metavar="FOLDER", help="write the exact motions as JSON")
+    folder = parser.parse_args().output
+    if folder is None:
+        print(table(judge(progress=bar("judging"))))
+        return
+    files = {f"{case.name.replace(' ', '_')}.json": written(case).encode() for case in cases()}
+    print(*write_all(Path(folder), files), sep="\n")
+
+
+if __name__ == "__main__":
+    main()

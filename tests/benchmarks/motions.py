@@ -1,5 +1,8 @@
 """Motions, by what a user would otherwise take: medians of rounds in one run.
 
+Run ``python tests/benchmarks/motions.py``; ``--quick`` takes seconds, and ``--markdown`` prints the
+table of the kinds of motions.
+
 The example top: λ₁ = 1, λ₃ = 0.5, M = 1, g = 9.81, R = 0.5, θ = 0.5, θ̇ = 0.1, φ̇ = 1, ψ̇ = 40, over
 10 s.  Every way gives θ, φ, ψ and their rates at every sample.  Compilation and derivation are not
 in the times of a motion; a closed form is solved anew each time.  How long that takes depends on
@@ -8,6 +11,7 @@ the motion: other kinds, of the same top and of free bodies, stand beside it.
 
 from __future__ import annotations
 
+import argparse
 import importlib
 import math
 from collections.abc import Callable, Sequence
@@ -18,13 +22,14 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from rows import ROUNDS, Progress, Row, Task, Way, markdown, measured, missing, table
 
-from rigidtop.bench.rows import ROUNDS, Progress, Row, Task, Way, measured, missing
 from rigidtop.motion import attitude, equations
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.many import top_motions
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import EXAMPLE_TOP
+from rigidtop.terminal.progress import bar
 
 Floats = NDArray[np.float64]
 
@@ -340,3 +345,16 @@ def _tops(count: int) -> list[Way]:
         Way("exact, one by one", one_by_one, of_all=few / count, note=f"{few} run, scaled"),
         Way("solve_ivp DOP853, 1e-12", dop853, of_all=few / count, note=f"{few} run, scaled"),
     ]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description="Measure motions beside what one would take.")
+    parser.add_argument("--quick", action="store_true", help="a tenth of the samples, one round")
+    parser.add_argument("--markdown", action="store_true", help="the kinds of motions as Markdown")
+    options = parser.parse_args()
+    rows = measure(options.quick, bar("measuring"))
+    print(markdown(rows) if options.markdown else table(rows))
+
+
+if __name__ == "__main__":
+    main()

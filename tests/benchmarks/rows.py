@@ -124,16 +124,6 @@ def _shares(ways: Sequence[Row]) -> list[float | None]:
     return [None if way.seconds is None else way.seconds / unit for way in ways]
 
 
-def records(rows: Sequence[Row]) -> list[dict[str, object]]:
-    """The rows for JSON, with their ratios."""
-    return [
-        {**vars(row), "ratio": None if share is None or math.isnan(share) else share}
-        for _, kinds in _groups(rows)
-        for ways in kinds
-        for row, share in zip(ways, _shares(ways), strict=True)
-    ]
-
-
 def table(rows: Sequence[Row]) -> str:
     """Each task: seconds, per item, ratio, error at the end; of kinds of motions a line each."""
     blocks = []
