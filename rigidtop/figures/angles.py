@@ -11,9 +11,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.spatial.transform import Rotation
 
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import ORIGIN, Arrow, Curve, Words, axes_of_space, draw, paper
 from rigidtop.figures.space import View
 from rigidtop.figures.style import Canvas, Floats, canvas
 from rigidtop.parameters import Parameter
@@ -67,14 +67,14 @@ def draw_rotation(
     right, up = 9 / (math.hypot(*away) or 1.0) * np.array(away)
     moved = [each for each, there in zip(old, new, strict=True) if not np.allclose(each, there)]
     parts = [
-        Curve([-0.18 * axis, 0.98 * axis], TURNED_ABOUT, 5, z=1, cap="round"),
-        *axes_of_space(1.34, color=look.FIRST, lw=0.8, z=2),
-        *(Curve([ORIGIN, each], look.AXIS, ls=look.HIDDEN, z=3) for each in moved),
-        *(Arrow(tip, name, look.AXIS, 1.6, z=4) for tip, name in zip(new, names, strict=True)),
-        Curve(way, ANGLE, 1.4, z=4, head=abs(angle) > 0.1),
-        Words(way[at], symbol, (right, up), ANGLE, "center", "center", 11),
+        pen.Curve([-0.18 * axis, 0.98 * axis], TURNED_ABOUT, 5, z=1, cap="round"),
+        *pen.axes_of_space(1.34, color=look.FIRST, lw=0.8, z=2),
+        *(pen.Curve([pen.ORIGIN, each], look.AXIS, ls=look.HIDDEN, z=3) for each in moved),
+        *(pen.Arrow(tip, name, look.AXIS, 1.6, z=4) for tip, name in zip(new, names, strict=True)),
+        pen.Curve(way, ANGLE, 1.4, z=4, head=abs(angle) > 0.1),
+        pen.Words(way[at], symbol, (right, up), ANGLE, "center", "center", 11),
     ]
-    draw(axes, parts, VIEW)
+    pen.draw(axes, parts, VIEW)
 
 
 def turns(sequence: str, *angles: float) -> list[tuple[Floats, float, int, str]]:
@@ -95,7 +95,7 @@ def _draw(sequence: str, *angles: float) -> Canvas:
     for i, (axes, turned) in enumerate(all_turned):
         draw_rotation(axes, attitudes[i], attitudes[i + 1], turned, NAMES[sequence][i])
         axes.set_title(f"({'i' * (i + 1)})  {turned[3]} about {about[i]}", color=look.INK)
-        paper(axes, (-1.1, 1.42), (-1.05, 1.5))
+        pen.paper(axes, (-1.1, 1.42), (-1.05, 1.5))
     return drawn
 
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.picture import ORIGIN, Arrow, Curve, Mark, Part, Turning, Words
 from rigidtop.figures.space import UPRIGHT, View, ring, unit
 from rigidtop.figures.style import Floats, in_math
 from rigidtop.figures.torque import torque
@@ -46,21 +46,21 @@ def level(view: View, side: Floats) -> float:
     return 4.2 if float(side @ view.axes[2]) > 0 else 1.6
 
 
-def axle(view: View, motion: TopMotion, radius: float) -> list[Part]:
+def axle(view: View, motion: TopMotion, radius: float) -> list[pen.Part]:
     """The axle, from the end that is held to a little beyond the rotor."""
     arm, half = to_scale(motion, radius)
     e3 = motion.start().e3[0]
     pieces = ((0.0, arm), -e3), ((arm, arm + 0.1 + 0.12 * half), e3)
     return [
         *(
-            Curve(np.outer(ends, e3), look.NOTE, 2.6, z=level(view, side) - 0.1, cap="round")
+            pen.Curve(np.outer(ends, e3), look.NOTE, 2.6, z=level(view, side) - 0.1, cap="round")
             for ends, side in pieces
         ),
-        Mark(ORIGIN, size=3.8),
+        pen.Mark(pen.ORIGIN, size=3.8),
     ]
 
 
-def arrows(view: View, motion: TopMotion, radius: float) -> tuple[list[Part], list[Floats]]:
+def arrows(view: View, motion: TopMotion, radius: float) -> tuple[list[pen.Part], list[Floats]]:
     """Mg, N, L, dL/dt and ω₃ at the start of a steady precession; points that must be seen.
 
     L and dL/dt begin at the centre of mass, N where the axle is held.  Dashed is the circle on
@@ -73,7 +73,7 @@ def arrows(view: View, motion: TopMotion, radius: float) -> tuple[list[Part], li
     centre, spin = arm * e3, (arm + 0.3 + 0.27 * half) * e3
     outward = float(momentum @ e3) > 0  # else N is above L
     tip = centre + (0.85 + 0.35 * half if outward else arm + 0.5) * momentum
-    turning = Turning(spin, e3, 0.15, motion.omega[2], r"$\omega_3$", z=level(view, e3))
+    turning = pen.Turning(spin, e3, 0.15, motion.omega[2], r"$\omega_3$", z=level(view, e3))
     across = (tip - centre) * [1.0, 1.0, 0.0]
     distance, sweep = float(np.linalg.norm(across)), math.copysign(0.8, rate)
     way = ring(tip - across, UPRIGHT, distance, across, sweep)
@@ -83,15 +83,15 @@ def arrows(view: View, motion: TopMotion, radius: float) -> tuple[list[Part], li
     aside, side = ((-5, 0), "right") if e3[2] < -0.85 else ((5, 0), "left")
     below, above = (None, None) if outward else ((-2.0, -9.0), (0.0, 9.0))
     parts = [
-        Arrow(tip, look.L_VEC, look.MOMENTUM, 1.8, centre, below, level(view, momentum)),
+        pen.Arrow(tip, look.L_VEC, look.MOMENTUM, 1.8, centre, below, level(view, momentum)),
         turning,
-        Curve(way, look.OMEGA, 0.9, look.DASHED, 1.3, label="_way"),
-        Arrow(beyond, "", look.TORQUE, start=tip),
-        Words(beyond, look.L_DOT, change[0], look.TORQUE, *change[1:]),
-        Arrow(0.6 * couple, look.N_VEC, look.TORQUE, 1.9, shift=above, z=6),
-        Arrow(weight, lw=1.5, start=centre, z=6),
-        Mark(centre),
-        Words(weight, f"$Mg = {in_math(top.M * top.g)}$ N", aside, ha=side),
+        pen.Curve(way, look.OMEGA, 0.9, look.DASHED, 1.3, label="_way"),
+        pen.Arrow(beyond, "", look.TORQUE, start=tip),
+        pen.Words(beyond, look.L_DOT, change[0], look.TORQUE, *change[1:]),
+        pen.Arrow(0.6 * couple, look.N_VEC, look.TORQUE, 1.9, shift=above, z=6),
+        pen.Arrow(weight, lw=1.5, start=centre, z=6),
+        pen.Mark(centre),
+        pen.Words(weight, f"$Mg = {in_math(top.M * top.g)}$ N", aside, ha=side),
     ]
     edge = [tip, beyond, 0.7 * couple, weight, centre, *turning.points(view), *way]
     return parts, edge

@@ -14,21 +14,10 @@ from rigidtop.derivations.exercises.gyroscope import (
     slope_of_cord,
     spinning,
 )
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.axle import arrows, axle, facts_of_axle, steady, to_scale
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import (
-    ORIGIN,
-    Curve,
-    Mark,
-    Part,
-    Turning,
-    Words,
-    alone,
-    draw,
-    fit,
-    guide,
-)
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, View, ring
 from rigidtop.figures.style import Floats, in_math
@@ -59,37 +48,37 @@ def draw_wheel(axes: Axes, motion: TopMotion, radius: float, cord: float) -> Non
     rim = ring(centre, e3, half, VIEW.axes[2] + 0.1 * VIEW.axes[0])
     spokes = ring(centre, e3, half, UPRIGHT, count=SPOKES + 1)[:-1]
     # Where the cord is fixed, or a stroke through it where it goes on.
-    cut = Mark(upper, look.NOTE, 9, (2, 0, 60), z=5)
-    end = cut if whole > LONGEST else Mark(upper, look.GREY, 5, "s", z=5)
+    cut = pen.Mark(upper, look.NOTE, 9, (2, 0, 60), z=5)
+    end = cut if whole > LONGEST else pen.Mark(upper, look.GREY, 5, "s", z=5)
     turning, beside = _sense(upper, rate)
     pull, edge = arrows(VIEW, motion, radius)
-    parts: list[Part] = [
-        Curve([ORIGIN, upper], look.NOTE, 1.1, z=5, label="_cord"),
+    parts: list[pen.Part] = [
+        pen.Curve([pen.ORIGIN, upper], look.NOTE, 1.1, z=5, label="_cord"),
         end,
-        Words(ORIGIN, "$O$", (-4, -10), ha="right"),
+        pen.Words(pen.ORIGIN, "$O$", (-4, -10), ha="right"),
         *axle(VIEW, motion, radius),
-        *(Curve([centre, point], look.GREY, 0.6, z=2.2) for point in spokes),
-        Curve(rim, look.INK, 3.4, z=2.4, label="_rim"),
-        Curve(rim, look.MANTLE, 1.6, z=2.5),
+        *(pen.Curve([centre, point], look.GREY, 0.6, z=2.2) for point in spokes),
+        pen.Curve(rim, look.INK, 3.4, z=2.4, label="_rim"),
+        pen.Curve(rim, look.MANTLE, 1.6, z=2.5),
         *pull,
         turning,
         *beside,
     ]
-    draw(axes, parts, VIEW)
+    pen.draw(axes, parts, VIEW)
     edge += [*rim, *turning.points(VIEW), 1.05 * upper]
-    fit(axes, VIEW, edge, (0.2, 0.06, 0.05, 0.02))
+    pen.fit(axes, VIEW, edge, (0.2, 0.06, 0.05, 0.02))
 
 
-def _sense(upper: Floats, rate: float) -> tuple[Turning, list[Part]]:
+def _sense(upper: Floats, rate: float) -> tuple[pen.Turning, list[pen.Part]]:
     """Ω about the vertical, beside a cord that ends at `upper`, or above a short one."""
     words = rf"$\Omega = {in_math(rate)}$ rad/s"
-    middle, beside = 0.8 * upper, list[Part]()
+    middle, beside = 0.8 * upper, list[pen.Part]()
     if np.linalg.norm(upper) < 0.6:
         middle = 0.7 * UPRIGHT
-        beside = [guide(np.outer([0.0, 0.9], UPRIGHT), ls=look.DOTTED)]
+        beside = [pen.guide(np.outer([0.0, 0.9], UPRIGHT), ls=look.DOTTED)]
     elif abs(upper[1]) > 0.5 * upper[2]:  # the cord is where the words would be
-        beside, words = [Words(middle, words, (0, 9), look.OMEGA, "center")], ""
-    return Turning(middle, UPRIGHT, 0.17, rate, words, left=True, z=3.5), beside
+        beside, words = [pen.Words(middle, words, (0, 9), look.OMEGA, "center")], ""
+    return pen.Turning(middle, UPRIGHT, 0.17, rate, words, left=True, z=3.5), beside
 
 
 def _motion(M: float, radius: float, R: float, g: float, omega3: float) -> TopMotion:
@@ -110,7 +99,7 @@ BICYCLE_WHEEL = Drawing(
     "The bicycle wheel on a cord: weight, torque and the change of $L$",
     "",
     bicycle_wheel.parameters,
-    alone(2.9, _draw),
+    pen.alone(2.9, _draw),
     "A bicycle wheel of {M} kg and radius {radius} m at $R = {R}$ m from the end $O$ of its "
     "horizontal axle, with $ω₃ = {omega3}$ rad/s and $g = {g}$ m/s²: $L = {L}$ J s, and the torque "
     "about $O$, $N = {N}$ N m, turns it {direction}, as seen from above, at $Ω = {precession}$ "

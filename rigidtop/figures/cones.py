@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, Film, one
-from rigidtop.figures.picture import ORIGIN, Arrow, Curve, Part, cone_mantle, draw, paper
 from rigidtop.figures.space import UPRIGHT, View, circle, ring, unit
 from rigidtop.figures.style import Canvas, Floats, canvas
 from rigidtop.motion.body import FreeBody
@@ -53,7 +53,7 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
     """
     directions = three_directions(motion, space=space)
     upright = directions[2 if space else 0]
-    parts: list[Part] = []
+    parts: list[pen.Part] = []
     for direction, words, color, length, alpha in zip(
         directions,
         (look.E3, look.OMEGA_VEC, look.L_VEC),
@@ -64,11 +64,11 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
     ):
         angle = angle_between(upright, direction)
         if angle > 1e-9:
-            parts += cone_mantle(circle(upright, angle, length=length), color, alpha)
+            parts += pen.cone_mantle(circle(upright, angle, length=length), color, alpha)
         high = 1.35 if direction is upright else length  # its name above the rims
-        parts.append(Arrow(high * direction, words, color, 1.5))
-    draw(axes, parts)
-    paper(axes, (-1.0, 1.0), (-0.03, 1.4))
+        parts.append(pen.Arrow(high * direction, words, color, 1.5))
+    pen.draw(axes, parts)
+    pen.paper(axes, (-1.0, 1.0), (-0.03, 1.4))
 
 
 def angle_between(first: Floats, second: Floats) -> float:
@@ -146,28 +146,28 @@ def draw_rolling_cones(axes: Axes, motion: Motion, t: float = 0.0) -> None:
     space, body = angle_between(contact, UPRIGHT), angle_between(contact, axis)
     inside = angle_between(axis, UPRIGHT) < body
     aside = math.copysign(10, view(contact)[0]), 0.0  # away from the name of L
-    parts: list[Part] = [
+    parts: list[pen.Part] = [
         *_striped(view, UPRIGHT, space, circle(UPRIGHT, space)[0], look.OMEGA, 4.0 - (not inside)),
         *_striped(view, axis, body, mark, look.AXIS, 4.0 - inside),
-        Arrow(1.25 * axis, look.E3, look.AXIS, 1.3),
-        Arrow(1.32 * UPRIGHT, look.L_VEC, look.MOMENTUM, 1.3),
-        Arrow(1.2 * contact, look.OMEGA_VEC, look.OMEGA, 1.9, shift=aside, z=6),
+        pen.Arrow(1.25 * axis, look.E3, look.AXIS, 1.3),
+        pen.Arrow(1.32 * UPRIGHT, look.L_VEC, look.MOMENTUM, 1.3),
+        pen.Arrow(1.2 * contact, look.OMEGA_VEC, look.OMEGA, 1.9, shift=aside, z=6),
     ]
-    draw(axes, parts, view)
+    pen.draw(axes, parts, view)
 
 
 def _striped(
     view: View, axis: Floats, half: float, mark: Floats, color: str, z: float
-) -> list[Part]:
+) -> list[pen.Part]:
     """A cone of this half angle, with lines on it, the first on the side of a `mark`."""
     centre, radius = math.cos(half) * axis, math.sin(half)
     ends = ring(centre, axis, radius, mark, count=STRIPES + 1)[:-1]
     far = view(ends)[2] < float(view(centre)[2])
     stripes = [
-        Curve([ORIGIN, end], color, 0.6, alpha=0.2 if behind else 0.6)
+        pen.Curve([pen.ORIGIN, end], color, 0.6, alpha=0.2 if behind else 0.6)
         for end, behind in zip(ends, far, strict=True)
     ]
-    return [*cone_mantle(circle(axis, half), color, 0.13, z), *stripes]
+    return [*pen.cone_mantle(circle(axis, half), color, 0.13, z), *stripes]
 
 
 def _frame(e3: Floats, momentum: Floats) -> Floats:
@@ -200,7 +200,7 @@ def _rolling_cones(low: float, **values: float) -> Film:
         for each, motion in zip(axes, motions, strict=True):
             each.clear()
             draw_rolling_cones(each, motion, share * 2 * math.pi / motion.mean_precession)
-            paper(each, (-1.3, 1.3), (low, 1.45))
+            pen.paper(each, (-1.3, 1.3), (low, 1.45))
             lambda1, _, lambda3 = motion.body.moments
             each.set_title(rf"$\lambda_1 {_relation(lambda1, lambda3)} \lambda_3$")
 

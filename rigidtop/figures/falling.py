@@ -10,10 +10,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.optimize import brentq
 
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import TOP, facts_of, of_top
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.picture import Band, Curve, Mark, Rule, Words, alone, draw
 from rigidtop.motion.many import top_motions
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
@@ -44,13 +44,13 @@ def draw_toppling(axes: Axes, motion: TopMotion) -> None:
     left = fall > 0.3 * period
     beside, side = ((-6, 5), "right") if left else ((7, -10), "left")
     parts = [
-        Curve((after, np.degrees(motion.exact(after).theta)), look.GREY, 1.0, look.DASHED),
-        Curve((until, np.degrees(motion.exact(until).theta)), look.FIRST, 1.6),
-        Curve(([0, fall, fall], [90, 90, 0]), look.INK, 0.8, look.DOTTED),
-        Mark((fall, 90), look.SECOND, 4.5),
-        Words((fall, 90), f"{fall:.3g} s", beside, ha=side),
+        pen.Curve((after, np.degrees(motion.exact(after).theta)), look.GREY, 1.0, look.DASHED),
+        pen.Curve((until, np.degrees(motion.exact(until).theta)), look.FIRST, 1.6),
+        pen.Curve(([0, fall, fall], [90, 90, 0]), look.INK, 0.8, look.DOTTED),
+        pen.Mark((fall, 90), look.SECOND, 4.5),
+        pen.Words((fall, 90), f"{fall:.3g} s", beside, ha=side),
     ]
-    draw(axes, parts)
+    pen.draw(axes, parts)
     axes.set(xlim=(0, period), xlabel="$t$  (s)", **ALL_TILTS)
 
 
@@ -74,7 +74,7 @@ TOPPLING = Drawing(
         *TOP[2:],
         Parameter("theta", 0.1, "$θ$ where it is let go", "rad", least=1e-6, most=1.57),
     ),
-    alone(2.3, lambda axes, **values: draw_toppling(axes, _toppling(**values))),
+    pen.alone(2.3, lambda axes, **values: draw_toppling(axes, _toppling(**values))),
     "$θ$ of a top with $λ₁ = {lambda1}$ kg m² and $MgR = {MgR}$ J that is let go without rotation "
     "at $θ = {theta:°}$: it lies after {fall} s. Dashed: what it would do without the table, a "
     "pendulum that rests as high on the other side after {period} s.",
@@ -102,21 +102,21 @@ def draw_sleeping(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
     marked = np.degrees(top.motion(theta=theta, omega3=omega3).turning_points)
     at = 0.3 * wakes
     parts = [
-        Band(spins, first, second),
-        Curve((spins, second), look.FIRST, 1.3, label="_largest"),
-        Curve((spins, first), look.SECOND, 1.3, look.DASHED, label="_smallest"),
-        Rule(x=wakes),
-        Curve(([omega3, omega3], marked), look.INK, 0.8),
-        Mark(([omega3, omega3], marked)),
-        Words(
+        pen.Band(spins, first, second),
+        pen.Curve((spins, second), look.FIRST, 1.3, label="_largest"),
+        pen.Curve((spins, first), look.SECOND, 1.3, look.DASHED, label="_smallest"),
+        pen.Rule(x=wakes),
+        pen.Curve(([omega3, omega3], marked), look.INK, 0.8),
+        pen.Mark(([omega3, omega3], marked)),
+        pen.Words(
             (wakes, 190), r"$\frac{2}{\lambda_3}\sqrt{\lambda_1 MgR}$", (5, -2), look.NOTE, va="top"
         ),
-        Words((0.62 * wakes, 40), "wakes", ha="center"),
-        Words((0.5 * (wakes + last), 40), "sleeps", ha="center"),
-        Words((at, np.interp(at, spins, second)), r"$\theta_2$", (0, 5), ha="center"),
-        Words((at, np.interp(at, spins, first)), r"$\theta_i$", (0, 5), ha="center"),
+        pen.Words((0.62 * wakes, 40), "wakes", ha="center"),
+        pen.Words((0.5 * (wakes + last), 40), "sleeps", ha="center"),
+        pen.Words((at, np.interp(at, spins, second)), r"$\theta_2$", (0, 5), ha="center"),
+        pen.Words((at, np.interp(at, spins, first)), r"$\theta_i$", (0, 5), ha="center"),
     ]
-    draw(axes, parts)
+    pen.draw(axes, parts)
     axes.set(xlim=(0, last), xlabel=r"$\omega_3$  (rad/s)", **ALL_TILTS)
 
 
@@ -134,7 +134,7 @@ SLEEPING = Drawing(
         Parameter("theta", math.radians(2), "$θ$ where it is let go", "rad", least=1e-6, most=0.5),
         Parameter("omega3", 22.0, "$ω₃$ that is marked", "rad/s", least=0),
     ),
-    alone(2.3, of_top(draw_sleeping)),
+    pen.alone(2.3, of_top(draw_sleeping)),
     "How far a top with {top} falls that is let go at $θ = {theta:°}$ with $φ̇ = θ̇ = 0$, so $p_φ "
     "≠ p_ψ$: its turning points, the start $θᵢ$ and $θ₂$, against $ω₃$. Left of the dotted line, "
     "$ω₃ = {sleeping}$ rad/s, the upright top is not stable. Dots: at $ω₃ = {omega3}$ rad/s $θ$ "

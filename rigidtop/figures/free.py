@@ -12,23 +12,9 @@ from matplotlib.axes import Axes
 from rigidtop.derivations.exercises.eulers_equations import stable_axes
 from rigidtop.derivations.exercises.toutatis import toutatis
 from rigidtop.errors import RigidtopError
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.picture import (
-    Arrow,
-    Curve,
-    Face,
-    Mark,
-    Part,
-    Rule,
-    Sphere,
-    Words,
-    alone,
-    draw,
-    legend_above,
-    on_sphere,
-    paper,
-)
 from rigidtop.figures.space import UPRIGHT, View, circle, unit
 from rigidtop.figures.style import Canvas, Floats, canvas, said
 from rigidtop.motion.body import FreeBody
@@ -110,12 +96,12 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
     eye = view.axes[2] @ turn
     to_paper = math.sqrt(moments.min()) * turn.T  # the longest half axis is 1 on paper
 
-    def curve(points: Floats, color: str, lw: float) -> Curve:
+    def curve(points: Floats, color: str, lw: float) -> pen.Curve:
         hidden = (points * moments) @ eye < 0
-        return Curve(points @ to_paper, color, lw, z=3, hidden=hidden)
+        return pen.Curve(points @ to_paper, color, lw, z=3, hidden=hidden)
 
     rim = circle(unit(np.sqrt(moments) * eye), math.pi / 2) / np.sqrt(moments)
-    parts: list[Part] = [Face(rim @ to_paper, "#f4f4f4", look.GREY, 0.8, z=0)]
+    parts: list[pen.Part] = [pen.Face(rim @ to_paper, "#f4f4f4", look.GREY, 0.8, z=0)]
     for path in map(polhode, polhodes(body)):
         parts.append(curve(path, look.FIRST, 0.9))
         # A head on the closed curve, where it is nearest to the eye, says which way it goes.
@@ -123,17 +109,17 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
         at = int(np.argmax(near[:-22]))
         if near[at] > 0:
             start, tip = path[[at, at + 21]] @ to_paper
-            parts.append(Arrow(tip, "", look.FIRST, 0.5, start, z=4, size=(0.12, 0.3)))
+            parts.append(pen.Arrow(tip, "", look.FIRST, 0.5, start, z=4, size=(0.12, 0.3)))
     parts += [curve(polhode(motion), look.SECOND, 1.7) for motion in on_separatrix(body)]
     for k, end in enumerate(np.diag(1 / np.sqrt(moments))):
         for sign in (1.0, -1.0):
             fill = look.INK if sign * eye[k] > 0 else "none"
-            parts.append(Mark(sign * end @ to_paper, size=3.2, fill=fill, z=6))
+            parts.append(pen.Mark(sign * end @ to_paper, size=3.2, fill=fill, z=6))
         longer = 0.5 if k == middle else 0.28
         tip = (end + longer * np.eye(3)[k] / math.sqrt(moments.min())) @ to_paper
-        parts.append(Arrow(tip, rf"$\omega_{k + 1}$", lw=1.0, start=end @ to_paper))
-    draw(axes, parts, view)
-    paper(axes, (-1.35, 1.35), (-0.98, 1.12))
+        parts.append(pen.Arrow(tip, rf"$\omega_{k + 1}$", lw=1.0, start=end @ to_paper))
+    pen.draw(axes, parts, view)
+    pen.paper(axes, (-1.35, 1.35), (-0.98, 1.12))
 
 
 def _three(lambda1: float, lambda2: float, lambda3: float) -> str:
@@ -163,7 +149,7 @@ POLHODES = Drawing(
     "Polhodes on the energy ellipsoid, with the separatrix",
     "3.2.2",
     MOMENTS,
-    alone(2.7, lambda axes, **moments: draw_polhodes(axes, FreeBody(**moments))),
+    pen.alone(2.7, lambda axes, **moments: draw_polhodes(axes, FreeBody(**moments))),
     "Polhodes: the paths of $𝛚$ in the body frame on the energy ellipsoid $Σ λₖωₖ² = 2T$, for "
     "{three} kg m²; {which}. Dashed and open: behind.",
     "An ellipsoid with closed curves around the ends of its shortest and of its longest half axis, "
@@ -180,14 +166,14 @@ def draw_rates(axes: Axes, motion: Motion, t: Floats) -> None:
     """ω₁, ω₂, ω₃ (rad/s) of a motion against the time (s)."""
     styles = (look.SECOND, look.DASH_DOT), (look.FIRST, "-"), (look.INK, look.DASHED)
     curves = [
-        Curve((t, rate), color, ls=style, label=rf"$\omega_{k + 1}$")
+        pen.Curve((t, rate), color, ls=style, label=rf"$\omega_{k + 1}$")
         for k, (rate, (color, style)) in enumerate(
             zip(motion.exact(t).omega.T, styles, strict=True)
         )
     ]
-    draw(axes, [*curves, Rule(y=0.0, color=look.RULE, lw=0.6, ls="-")])
+    pen.draw(axes, [*curves, pen.Rule(y=0.0, color=look.RULE, lw=0.6, ls="-")])
     axes.set(xlim=(t[0], t[-1]), xlabel="$t$  (s)", ylabel=r"$\omega_k$  (rad/s)")
-    legend_above(axes, ncols=3)
+    pen.legend_above(axes, ncols=3)
 
 
 def flip(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> Motion:
@@ -226,7 +212,7 @@ def _draw_flip(axes: Axes, **values: float) -> None:
     motion = flip(**values)
     draw_rates(axes, motion, _flip_times(motion))
     turns = (np.arange(FLIPS) + 0.5) * motion.nutation_period
-    draw(axes, [Rule(x=float(at), lw=0.8, label="_flip") for at in turns])
+    pen.draw(axes, [pen.Rule(x=float(at), lw=0.8, label="_flip") for at in turns])
 
 
 def _flip_facts(omega: float, kick: float, **moments: float) -> dict[str, Any]:
@@ -256,7 +242,7 @@ FLIP = Drawing(
     "The flip about the middle axis",
     "",
     stable_axes.parameters,
-    alone(2.35, _draw_flip),
+    pen.alone(2.35, _draw_flip),
     "The flip about the middle axis {middle}: $𝛚$ in the body frame for {three} kg m², from "
     "{omega} rad/s about that axis and {kick} rad/s about {least}. The body turns over every "
     "{period} s (dotted).",
@@ -281,12 +267,15 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
         period = 2 * LATE / math.hypot(*motion.omega)
     in_body = motion.exact(np.linspace(0.0, period, 601)).omega * np.array(motion.body.moments)
     in_body /= np.linalg.norm(in_body, axis=1)[:, None]
-    parts: list[Part] = [Sphere(), on_sphere(in_body, look.INK, lw=1.4, label="_momentum")]
+    parts: list[pen.Part] = [
+        pen.Sphere(),
+        pen.on_sphere(in_body, look.INK, lw=1.4, label="_momentum"),
+    ]
     for k, axis in enumerate(np.eye(3)):
         shift = (-13.0, 2.0) if k == 0 else None  # beside the way of L of a long body
         name = rf"$\mathbf{{e}}_{k + 1}$"
-        parts.append(Arrow(1.4 * axis, name, look.AXIS, 1.0, start=axis, shift=shift))
-    draw(body_axes, [*parts, *_mark(view, in_body[0], look.L_VEC)], view)
+        parts.append(pen.Arrow(1.4 * axis, name, look.AXIS, 1.0, start=axis, shift=shift))
+    pen.draw(body_axes, [*parts, *_mark(view, in_body[0], look.L_VEC)], view)
 
     turn = 2 * math.pi / math.hypot(*motion.omega)  # once round, if ω is constant
     run = motion.exact(np.linspace(0.0, turn if steady else NUTATIONS * period / 2, 2401))
@@ -295,22 +284,22 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
     frame = np.array([across, np.cross(momentum, across), momentum])
     first, third = (run.rotation.as_matrix()[:, :, k] @ frame.T for k in (0, 2))
     parts = [
-        Sphere(),
-        Arrow(1.4 * UPRIGHT, look.L_VEC, lw=1.0, start=UPRIGHT),
-        on_sphere(first, look.GREY, lw=0.8),
-        on_sphere(third, look.AXIS, lw=1.5, label="_axis"),
+        pen.Sphere(),
+        pen.Arrow(1.4 * UPRIGHT, look.L_VEC, lw=1.0, start=UPRIGHT),
+        pen.on_sphere(first, look.GREY, lw=0.8),
+        pen.on_sphere(third, look.AXIS, lw=1.5, label="_axis"),
         *_mark(view, first[0], r"$\mathbf{e}_1$"),
         *_mark(view, third[0], look.E3),
     ]
-    draw(space_axes, parts, view)
+    pen.draw(space_axes, parts, view)
 
 
-def _mark(view: View, point: Floats, words: str) -> list[Part]:
+def _mark(view: View, point: Floats, words: str) -> list[pen.Part]:
     """A dot with a name, open where it is behind."""
     x, _, near = view(point)
     inwards = -12 * float(x), 5.0  # away from the outline of the sphere
     fill = look.INK if near > 0 else "white"
-    return [Mark(point, size=4, fill=fill, z=6), Words(point, words, inwards, ha="center")]
+    return [pen.Mark(point, size=4, fill=fill, z=6), pen.Words(point, words, inwards, ha="center")]
 
 
 def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> Motion:
@@ -327,7 +316,7 @@ def _draw_tumbling(**values: float) -> Canvas:
     left.set_title("body frame")
     right.set_title("space frame")
     for axes in (left, right):
-        paper(axes, (-1.3, 1.3), (-1.08, 1.45))
+        pen.paper(axes, (-1.3, 1.3), (-1.08, 1.45))
     return drawn
 
 

@@ -21,9 +21,9 @@ from rigidtop.derivations.exercises.friction import (
     waking_top,
 )
 from rigidtop.errors import RigidtopError
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import Band, Curve, Mark, Part, Rule, Words, draw, legend_above
 from rigidtop.figures.style import Canvas, Floats, canvas
 from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
@@ -91,15 +91,17 @@ def _end_of(path: SlidingTrajectory) -> list[float]:
 
 def draw_tilt(axes: Axes, path: SlidingTrajectory, until: float) -> None:
     """θ(t) (degrees), and when it has come down to `until` (rad)."""
-    parts: list[Part] = [Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")]
+    parts: list[pen.Part] = [
+        pen.Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")
+    ]
     then = crossing(path, until)
     if then is not None:
         place = then, math.degrees(until)
         parts += [
-            Mark(place, look.SECOND, 4, label="_until"),
-            Words(place, f"{then:.3g} s", (5, 3)),
+            pen.Mark(place, look.SECOND, 4, label="_until"),
+            pen.Words(place, f"{then:.3g} s", (5, 3)),
         ]
-    draw(axes, parts)
+    pen.draw(axes, parts)
     axes.set(ylim=(0, None), ylabel=r"$\theta$  (degrees)")
 
 
@@ -131,20 +133,22 @@ def draw_budget(axes: Axes, path: SlidingTrajectory) -> None:
     That the shares reach up to the dashed line is the conservation of energy.
     """
     below = np.zeros(len(path.t))
-    bands: list[Part] = []
+    bands: list[pen.Part] = []
     for name, gain in gains(path).items():
         above = below + 1e3 * gain
-        bands.append(Band(path.t, below, above, FILLS[name], 1.0, name))
+        bands.append(pen.Band(path.t, below, above, FILLS[name], 1.0, name))
         below = above
-    loss = Curve((path.t, 1e3 * spent(path)), look.INK, 1.1, look.DASHED, label="lost by the spin")
-    draw(axes, [*bands, loss])
+    loss = pen.Curve(
+        (path.t, 1e3 * spent(path)), look.INK, 1.1, look.DASHED, label="lost by the spin"
+    )
+    pen.draw(axes, [*bands, loss])
     low = min(0.0, axes.get_ylim()[0]) if below.min() < 0 else 0.0
     axes.set(ylim=(low, None), ylabel="energy  (mJ)")
 
 
 def draw_slip(axes: Axes, path: SlidingTrajectory) -> None:
     """|v(t)| of the contact over the table (m/s)."""
-    draw(axes, [Curve((path.t, np.hypot(*path.slip.T)), look.FIRST, 1.3, label="_slip")])
+    pen.draw(axes, [pen.Curve((path.t, np.hypot(*path.slip.T)), look.FIRST, 1.3, label="_slip")])
     axes.set(ylim=(0, None), ylabel="slip  (m/s)")
 
 
@@ -154,14 +158,14 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
     rest = stands(path)
     first = len(track) if rest is None else int(np.searchsorted(path.t, rest))
     later = "rolls, slips" if slips_again(path) else "rolls"
-    parts: list[Part] = [Mark((track[0, 0], track[0, 1]))]
+    parts: list[pen.Part] = [pen.Mark((track[0, 0], track[0, 1]))]
     for piece, words, color, style in (
         (track[: first + 1], "slides", look.FIRST, "-"),
         (track[first:], later, look.SECOND, look.DASHED),
     ):
         if len(piece) > 1:
             curve = piece[:, 0], piece[:, 1]
-            parts.append(Curve(curve, color, 1.3, style, label=f"_{words}"))
+            parts.append(pen.Curve(curve, color, 1.3, style, label=f"_{words}"))
         if len(piece) > 0.05 * len(track):
             k = len(piece) // 2
             along = piece[k + 1] - piece[k - 1]
@@ -169,8 +173,8 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
             # Inside the bend there is room.
             right, up = beside * math.copysign(1, beside @ (track.mean(axis=0) - piece[k]))
             sides = "left" if right > 0 else "right", "bottom" if up > 0 else "top"
-            parts.append(Words((piece[k, 0], piece[k, 1]), words, (right, up), color, *sides))
-    draw(axes, parts)
+            parts.append(pen.Words((piece[k, 0], piece[k, 1]), words, (right, up), color, *sides))
+    pen.draw(axes, parts)
     axes.set_aspect("equal", adjustable="datalim")
     axes.set(xlabel="$x$  (cm)", ylabel="$y$  (cm)")
 
@@ -187,11 +191,11 @@ def _draw_rising(until: float, **values: float) -> Canvas:
     for axes in (tilt, energy, slip):
         axes.set(xlim=(0, path.t[-1]), xlabel="$t$  (s)")
         if rest is not None:
-            draw(axes, [Rule(x=rest, color=look.INK, lw=0.8, label="_standstill")])
+            pen.draw(axes, [pen.Rule(x=rest, color=look.INK, lw=0.8, label="_standstill")])
     if rest is not None:
-        draw(slip, [Words((rest, slip.get_ylim()[1]), "slip ends", (4, -2), va="top")])
+        pen.draw(slip, [pen.Words((rest, slip.get_ylim()[1]), "slip ends", (4, -2), va="top")])
     room = {"handlelength": 1.6, "handletextpad": 0.4, "columnspacing": 1.0}
-    legend_above(energy, ncols=4, fontsize=look.SMALL, **room)
+    pen.legend_above(energy, ncols=4, fontsize=look.SMALL, **room)
     return drawn
 
 
@@ -284,24 +288,24 @@ def draw_waking(
     """
     seen = crossing(path, visible)
     asleep = float(np.interp(-sleeping, -path.omega[:, 2], path.t))
-    upright: list[Part] = [Rule(x=asleep, label="_asleep")]
-    start = Mark((path.t[0], math.degrees(path.theta[0])))
-    theta = Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")
-    parts: list[Part] = [theta, start]
+    upright: list[pen.Part] = [pen.Rule(x=asleep, label="_asleep")]
+    start = pen.Mark((path.t[0], math.degrees(path.theta[0])))
+    theta = pen.Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")
+    parts: list[pen.Part] = [theta, start]
     if seen is not None:
         place = seen, math.degrees(visible)
-        upright.append(Rule(x=seen, label="_seen"))
-        parts.append(Mark(place, look.SECOND, 4, label="_visible"))
-        parts.append(Words(place, f"{seen:.3g} s", (-5, 2), ha="right"))
-    draw(tilt, [*parts, *upright])
-    omega3 = Curve((path.t, path.omega[:, 2]), look.FIRST, 1.3, label="_omega3")
+        upright.append(pen.Rule(x=seen, label="_seen"))
+        parts.append(pen.Mark(place, look.SECOND, 4, label="_visible"))
+        parts.append(pen.Words(place, f"{seen:.3g} s", (-5, 2), ha="right"))
+    pen.draw(tilt, [*parts, *upright])
+    omega3 = pen.Curve((path.t, path.omega[:, 2]), look.FIRST, 1.3, label="_omega3")
     # Beside the curve, which is above this line at first and below it in the end.
     early = asleep < path.t[-1] / 2
     middle = (asleep + path.t[-1]) / 2 if early else asleep / 2
     shift, side = ((0, 4), "bottom") if early else ((0, -4), "top")
     formula = r"$\frac{2}{\lambda_3}\sqrt{(\lambda_1+MR^2)MgR}$"
-    words = Words((middle, sleeping), formula, shift, look.NOTE, "center", side)
-    draw(spin, [omega3, *upright, Rule(y=sleeping, label="_sleeping"), words])
+    words = pen.Words((middle, sleeping), formula, shift, look.NOTE, "center", side)
+    pen.draw(spin, [omega3, *upright, pen.Rule(y=sleeping, label="_sleeping"), words])
     low, high = spin.get_ylim()
     spin.set_ylim(low, max(high, sleeping + 0.3 * (high - low)))
     for axes in (tilt, spin):

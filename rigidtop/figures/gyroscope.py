@@ -10,23 +10,10 @@ from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.bodies import simple_rate
 from rigidtop.derivations.exercises.gyroscope import disc_on_axle, gyroscope, spin_for, spinning
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.axle import arrows, axle, facts_of_axle, steady, to_scale
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import (
-    ORIGIN,
-    Curve,
-    Face,
-    Mark,
-    Part,
-    Rule,
-    Turning,
-    Words,
-    disc,
-    draw,
-    fit,
-    guide,
-)
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, View, arc, ring
 from rigidtop.figures.style import Canvas, Floats, canvas, in_math
@@ -51,29 +38,29 @@ def draw_gyroscope(axes: Axes, motion: TopMotion, radius: float) -> None:
     plate = ring(foot, UPRIGHT, 0.28, VIEW.axes[0])
     rim = ring(arm * e3, e3, half, VIEW.axes[2] + 0.1 * VIEW.axes[0])
     words, left = rf"$\Omega = {in_math(rate)}$ rad/s", rate > 0  # else L is there
-    turning = Turning(0.55 * foot, UPRIGHT, 0.2, rate, words, left, z=3.5)
+    turning = pen.Turning(0.55 * foot, UPRIGHT, 0.2, rate, words, left, z=3.5)
     pull, edge = arrows(VIEW, motion, radius)
     parts = [
-        Face(plate, look.GROUND, look.GREY, z=0.5),
-        Curve([ORIGIN, foot], look.GREY, 3.2, z=1, cap="butt"),
+        pen.Face(plate, look.GROUND, look.GREY, z=0.5),
+        pen.Curve([pen.ORIGIN, foot], look.GREY, 3.2, z=1, cap="butt"),
         *axle(VIEW, motion, radius),
-        *disc(arm * e3, e3, half, 0.16 * half, z=2.5),
+        *pen.disc(arm * e3, e3, half, 0.16 * half, z=2.5),
         *_angle(e3, 0.55 * arm),
         *pull,
         turning,
     ]
-    draw(axes, parts, VIEW)
-    fit(axes, VIEW, [*edge, *turning.points(VIEW), *rim, *plate], (0.25, 0.06, 0.02, 0.1))
+    pen.draw(axes, parts, VIEW)
+    pen.fit(axes, VIEW, [*edge, *turning.points(VIEW), *rim, *plate], (0.25, 0.06, 0.02, 0.1))
 
 
-def _angle(e3: Floats, size: float) -> list[Part]:
+def _angle(e3: Floats, size: float) -> list[pen.Part]:
     """θ, from the vertical through O to the axle."""
     way = size * arc(UPRIGHT, e3)
     return [
-        guide([ORIGIN, 1.25 * size * UPRIGHT]),
-        guide(way, label="_theta"),
-        Words(1.1 * way[len(way) // 2], r"$\theta$", ha="center", va="bottom"),
-        Words(ORIGIN, "$O$", (5, -9)),
+        pen.guide([pen.ORIGIN, 1.25 * size * UPRIGHT]),
+        pen.guide(way, label="_theta"),
+        pen.Words(1.1 * way[len(way) // 2], r"$\theta$", ha="center", va="bottom"),
+        pen.Words(pen.ORIGIN, "$O$", (5, -9)),
     ]
 
 
@@ -107,22 +94,22 @@ def draw_simple_and_exact(
     now = top.steady_precession(theta, marked)[0]
     highest = 1.12 * max(top.steady_precession(theta, first)[0], 1.5 * now)
     simple, law = simple_rate(top, from_zero), r"$MgR/(\lambda_3\omega_3)$"
-    parts: list[Part] = [
-        Curve((from_zero, simple), look.GREY, 1.1, look.DASHED, label=law),
-        Curve((spins, exact), look.FIRST, 1.3, label=r"$\Omega_-$ of (3.57)"),
-        Mark((marked, now), look.FIRST, 4.5, label="_now"),
+    parts: list[pen.Part] = [
+        pen.Curve((from_zero, simple), look.GREY, 1.1, look.DASHED, label=law),
+        pen.Curve((spins, exact), look.FIRST, 1.3, label=r"$\Omega_-$ of (3.57)"),
+        pen.Mark((marked, now), look.FIRST, 4.5, label="_now"),
     ]
     if least > 0.6 * first:
-        parts.append(Rule(x=least, label="_least"))
+        parts.append(pen.Rule(x=least, label="_least"))
     if 0.6 * first < needed < last:
         line, right = ([needed] * 2, [0, 0.45 * highest]), needed > 0.6 * (first + last)
         aside, side = ((-4, 0), "right") if right else ((4, 0), "left")
         # Where the curves are not: above them, or below where they are steep.
         height = 0.4 if simple_rate(top, needed) < 0.3 * highest else 0.06
         words = f"{100 * tolerance:.3g} % apart"
-        parts.append(Curve(line, look.SECOND, 1.3, look.DOTTED, label="_needed"))
-        parts.append(Words((needed, height * highest), words, aside, look.SECOND, side))
-    draw(axes, parts)
+        parts.append(pen.Curve(line, look.SECOND, 1.3, look.DOTTED, label="_needed"))
+        parts.append(pen.Words((needed, height * highest), words, aside, look.SECOND, side))
+    pen.draw(axes, parts)
     axes.set(xlim=(0.6 * first, last), ylim=(0, highest))
     axes.legend(loc="upper right", handlelength=2.2, borderaxespad=0.1)
     axes.set(xlabel=r"$|\omega_3|$  (rad/s)", ylabel=r"$|\Omega|$  (rad/s)")

@@ -9,24 +9,10 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.net_torque import gravity_on_a_solid
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import vertical
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import (
-    ORIGIN,
-    Arrow,
-    Curve,
-    Mark,
-    Part,
-    Shift,
-    Words,
-    alone,
-    cone,
-    couple,
-    draw,
-    guide,
-    paper,
-)
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, View, circle
 from rigidtop.figures.style import Floats, degrees
@@ -62,17 +48,17 @@ def draw_leaning_cone(
     lean = theta * np.linspace(0.0, 1.0, 61)
     way = 1.18 * (np.outer(np.cos(lean), UPRIGHT) + np.outer(np.sin(lean), level))
     upright = vertical(theta)
-    parts: list[Part] = [
-        *cone(e3, height / size, radius / size),
-        Arrow(TALL * UPRIGHT, look.Z, look.GREY, 0.8, shift=(-8, 0)),
-        Arrow(1.35 * e3, look.E3, look.AXIS, 1.0, shift=(9, 0)),
-        Arrow(place, lw=2.0),
+    parts: list[pen.Part] = [
+        *pen.cone(e3, height / size, radius / size),
+        pen.Arrow(TALL * UPRIGHT, look.Z, look.GREY, 0.8, shift=(-8, 0)),
+        pen.Arrow(1.35 * e3, look.E3, look.AXIS, 1.0, shift=(9, 0)),
+        pen.Arrow(place, lw=2.0),
         *_height(place, level),
-        Arrow(weight, start=place),
-        Words(weight, look.WEIGHT, (6, 2)),
-        Mark(place),
-        Words(place, look.R_CM, (7, -9)),
-        couple(0.0 * nodes if upright else 0.85 * nodes, (20, -4)),
+        pen.Arrow(weight, start=place),
+        pen.Words(weight, look.WEIGHT, (6, 2)),
+        pen.Mark(place),
+        pen.Words(place, look.R_CM, (7, -9)),
+        pen.couple(0.0 * nodes if upright else 0.85 * nodes, (20, -4)),
     ]
     edge = [
         circle(e3, math.atan2(radius, height)),
@@ -84,42 +70,42 @@ def draw_leaning_cone(
     if not upright:
         parts += [*_angle(view, way, r"$\theta$", (-8, -2), 3), *_azimuth(view, phi, level)]
         edge.append(1.1 * way)
-    draw(axes, parts, view)
+    pen.draw(axes, parts, view)
     x, y, _ = view(np.vstack(edge))
-    paper(axes, (min(x.min(), -1.1), max(x.max(), 0.7) + 0.2), (y.min() - 0.1, y.max() + 0.1))
+    pen.paper(axes, (min(x.min(), -1.1), max(x.max(), 0.7) + 0.2), (y.min() - 0.1, y.max() + 0.1))
 
 
-def _azimuth(view: View, phi: float, level: Floats) -> list[Part]:
+def _azimuth(view: View, phi: float, level: Floats) -> list[pen.Part]:
     """The azimuth from x̂ to the direction into which the cone leans, under it."""
     turned = math.remainder(phi, 2 * math.pi) * np.linspace(0.0, 1.0, 61)
     way = 0.4 * np.column_stack([np.cos(turned), np.sin(turned), 0 * turned])
     return [
-        Arrow([0.6, 0.0, 0.0], look.X, look.GREY, 0.7, z=1.5),
-        guide([ORIGIN, 0.5 * level], ls=look.DOTTED, z=1.5),
+        pen.Arrow([0.6, 0.0, 0.0], look.X, look.GREY, 0.7, z=1.5),
+        pen.guide([pen.ORIGIN, 0.5 * level], ls=look.DOTTED, z=1.5),
         *_angle(view, way, degrees(phi), (2, -8), 1.5),
     ]
 
 
-def _angle(view: View, way: Floats, words: str, aside: Shift, z: float) -> list[Part]:
+def _angle(view: View, way: Floats, words: str, aside: pen.Shift, z: float) -> list[pen.Part]:
     """An arc (N, 3) about the origin, and its name: outside, or `aside` where there is no room."""
     x, y, _ = view(way)
     narrow = float(np.linalg.norm(way[-1] - way[0])) < NARROW
     k = 0 if narrow else 2 * len(way) // 5
     away = (8 if words.startswith("$") else 15) / math.hypot(x[k], y[k])
     shift = aside if narrow else (float(x[k]) * away, float(y[k]) * away)
-    arc = Curve(way, look.NOTE, 0.8, z=z, label="_angle")
-    return [arc, Words(way[k], words, shift, look.NOTE, "center", "center", z=z)]
+    arc = pen.Curve(way, look.NOTE, 0.8, z=z, label="_angle")
+    return [arc, pen.Words(way[k], words, shift, look.NOTE, "center", "center", z=z)]
 
 
-def _height(place: Floats, level: Floats) -> list[Part]:
+def _height(place: Floats, level: Floats) -> list[pen.Part]:
     """R cos θ, the height of the centre of mass over the tip, on the other side of ẑ."""
     beyond, height = -0.62 * level, place[2] * UPRIGHT
     top = beyond + height
     return [
-        guide([place, 1.1 * beyond + height], ls=look.DASHED, z=2.9),
-        guide([ORIGIN, 1.1 * beyond], ls=look.DASHED, z=2.9),
-        Arrow(top, "", look.NOTE, 0.8, beyond, z=3, size=(0.12, 0.25), ends="<|-|>"),
-        Words((beyond + top) / 2, r"$R\,\cos\theta$", (-4, 0), look.NOTE, "right", "center"),
+        pen.guide([place, 1.1 * beyond + height], ls=look.DASHED, z=2.9),
+        pen.guide([pen.ORIGIN, 1.1 * beyond], ls=look.DASHED, z=2.9),
+        pen.Arrow(top, "", look.NOTE, 0.8, beyond, z=3, size=(0.12, 0.25), ends="<|-|>"),
+        pen.Words((beyond + top) / 2, r"$R\,\cos\theta$", (-4, 0), look.NOTE, "right", "center"),
     ]
 
 
@@ -147,7 +133,7 @@ LEANING_CONE = Drawing(
     "A solid cone on its tip: torque and potential energy",
     "",
     gravity_on_a_solid.parameters,
-    alone(3.0, _draw),
+    pen.alone(3.0, _draw),
     "A solid cone on its tip, of radius {radius} m, height {height} m and density {density} kg/m³, "
     "{leans}. The centre of mass of the cone is at $R = {R}$ m, three quarters of its height, and "
     "with $M = {mass}$ kg and $g = {g}$ m/s² its potential energy is $MgR cos θ = {potential}$ J. "

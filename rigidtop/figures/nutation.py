@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import distance_transform_edt, label
 
 from rigidtop.errors import RigidtopError
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import (
     RATE,
@@ -25,18 +26,6 @@ from rigidtop.figures.bodies import (
     vertical,
 )
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.picture import (
-    Arrow,
-    Curve,
-    Rule,
-    Sphere,
-    Words,
-    alone,
-    draw,
-    legend_above,
-    on_sphere,
-    paper,
-)
 from rigidtop.figures.space import UPRIGHT, View, circle
 from rigidtop.figures.style import Canvas, Floats, canvas
 from rigidtop.motion.many import top_motions
@@ -56,13 +45,13 @@ def draw_path(axes: Axes, e3: ArrayLike, title: str = "") -> None:
     polar = np.arccos(np.clip(path[:, 2], -1, 1))
     turning = [circle(UPRIGHT, float(theta)) for theta in (polar.min(), polar.max())]
     parts = [
-        Sphere(),
-        *(on_sphere(points, look.GREY, lw=0.7) for points in turning),
-        on_sphere(path, look.FIRST, lw=1.3, label="_path"),
-        Arrow(1.45 * UPRIGHT, look.Z, lw=0.9, start=UPRIGHT, shift=(7, -3)),
+        pen.Sphere(),
+        *(pen.on_sphere(points, look.GREY, lw=0.7) for points in turning),
+        pen.on_sphere(path, look.FIRST, lw=1.3, label="_path"),
+        pen.Arrow(1.45 * UPRIGHT, look.Z, lw=0.9, start=UPRIGHT, shift=(7, -3)),
     ]
-    draw(axes, parts, View(elevation=0.5))
-    paper(axes, (-1.04, 1.04), (-1.04, 1.34))
+    pen.draw(axes, parts, View(elevation=0.5))
+    pen.paper(axes, (-1.04, 1.04), (-1.04, 1.34))
     if title:
         axes.set_title(title, color=look.INK)
 
@@ -105,7 +94,7 @@ def _draw_paths(**values: float) -> Canvas:
         draw_path(sphere, run.e3, motion.regime)
         few = run.t <= 4 * motion.nutation_period
         turned = np.degrees(run.phi[few] - run.phi[0])
-        draw(strip, [Curve((turned, np.degrees(run.theta[few])), look.FIRST, 1.1)])
+        pen.draw(strip, [pen.Curve((turned, np.degrees(run.theta[few])), look.FIRST, 1.1)])
         strip.set_xlabel(r"$\phi$  (degrees)")
     strips[0].set_ylabel(r"$\theta$  (degrees)")
     strips[0].margins(y=0.1)
@@ -143,9 +132,9 @@ PATHS = Drawing(
 
 def draw_theta(axes: Axes, motion: TopMotion, t: Floats) -> None:
     """θ(t) (degrees) between its turning points."""
-    limits = [Rule(y=math.degrees(angle), lw=0.8) for angle in motion.turning_points]
+    limits = [pen.Rule(y=math.degrees(angle), lw=0.8) for angle in motion.turning_points]
     theta = np.degrees(motion.exact(t).theta)
-    draw(axes, [Curve((t, theta), look.FIRST, 1.3, label="_theta"), *limits])
+    pen.draw(axes, [pen.Curve((t, theta), look.FIRST, 1.3, label="_theta"), *limits])
     axes.set_ylabel(r"$\theta$  (degrees)")
 
 
@@ -153,8 +142,8 @@ def draw_phi(axes: Axes, motion: TopMotion, t: Floats) -> None:
     """φ(t) (degrees), and what it would be at its mean rate."""
     phi, mean = motion.exact(t).phi, motion.mean_precession
     if math.isfinite(mean):
-        draw(axes, [Curve((t, np.degrees(phi[0] + mean * t)), look.GREY, 0.9, look.DASHED)])
-    draw(axes, [Curve((t, np.degrees(phi)), look.FIRST, 1.3, label="_phi")])
+        pen.draw(axes, [pen.Curve((t, np.degrees(phi[0] + mean * t)), look.GREY, 0.9, look.DASHED)])
+    pen.draw(axes, [pen.Curve((t, np.degrees(phi)), look.FIRST, 1.3, label="_phi")])
     axes.set_ylabel(r"$\phi$  (degrees)")
 
 
@@ -165,11 +154,11 @@ def draw_energies(axes: Axes, motion: TopMotion, t: Floats) -> None:
     potential = run.vertical @ np.array(top.weight)
     energy = run.energy - constant
     curves = [
-        Curve((t, energy - potential), look.SECOND, ls=look.DASH_DOT, label="$T$"),
-        Curve((t, potential), look.FIRST, label="$V$"),
-        Curve((t, energy), look.INK, ls=look.DASHED, label="$E$"),
+        pen.Curve((t, energy - potential), look.SECOND, ls=look.DASH_DOT, label="$T$"),
+        pen.Curve((t, potential), look.FIRST, label="$V$"),
+        pen.Curve((t, energy), look.INK, ls=look.DASHED, label="$E$"),
     ]
-    draw(axes, curves)
+    pen.draw(axes, curves)
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.34 * (high - low))
     axes.legend(loc="upper center", ncols=3, handlelength=2.6, borderaxespad=0.0)
@@ -262,14 +251,14 @@ AREAS = "waves", "loops"
 """Regimes that fill areas, of which the loops are hatched; the others are lines and points."""
 
 
-def cusps(spins: Floats, rates: Floats) -> Curve:
+def cusps(spins: Floats, rates: Floats) -> pen.Curve:
     """Where φ̇ vanishes at a turning point."""
-    return Curve((spins, rates), look.INK, 1.0, look.DASHED, label="_cusps")
+    return pen.Curve((spins, rates), look.INK, 1.0, look.DASHED, label="_cusps")
 
 
-def through_the_vertical(spins: Floats, rates: Floats) -> Curve:
+def through_the_vertical(spins: Floats, rates: Floats) -> pen.Curve:
     """Where p_φ = ±p_ψ."""
-    return Curve((spins, rates), look.INK, 1.0, look.DOTTED, label="_vertical")
+    return pen.Curve((spins, rates), look.INK, 1.0, look.DOTTED, label="_vertical")
 
 
 def regime_map(top: HeavyTop, theta: float, spins: Floats, rates: Floats) -> NDArray[np.str_]:
@@ -319,11 +308,11 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
         ]
     lines += _steady_lines(top, theta, omega3, phi_dot)
     names = [
-        Words((spins[column], rates[row]), name, ha="center", va="center", z=3)
+        pen.Words((spins[column], rates[row]), name, ha="center", va="center", z=3)
         for name in AREAS
         for row, column in _middles(regimes == name, rates)
     ]
-    draw(axes, [*lines, *names])
+    pen.draw(axes, [*lines, *names])
     axes.set(
         xlim=(0, omega3),
         ylim=(-phi_dot, phi_dot),
@@ -333,10 +322,10 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
     kinds = {"steady": (look.SECOND, "-"), "cusps": (look.INK, look.DASHED)}
     kinds["vertical"] = look.INK, look.DOTTED
     handles = [Line2D([], [], color=c, ls=ls, label=name) for name, (c, ls) in kinds.items()]
-    legend_above(axes, handles=handles, ncols=3)
+    pen.legend_above(axes, handles=handles, ncols=3)
 
 
-def _steady_lines(top: HeavyTop, theta: float, omega3: float, phi_dot: float) -> list[Curve]:
+def _steady_lines(top: HeavyTop, theta: float, omega3: float, phi_dot: float) -> list[pen.Curve]:
     least = top.smallest_spin(theta)
     if least >= omega3:
         return []
@@ -344,9 +333,9 @@ def _steady_lines(top: HeavyTop, theta: float, omega3: float, phi_dot: float) ->
     slow, fast = np.array([top.steady_precession(theta, spin) for spin in spins]).T
     if least:  # both begin at one point
         both = np.append(spins[::-1], spins), np.append(fast[::-1], slow)
-        return [Curve(both, look.SECOND, 1.6)]
+        return [pen.Curve(both, look.SECOND, 1.6)]
     roots = [np.where(np.abs(root) < 10 * phi_dot, root, np.nan) for root in (slow, fast)]
-    return [Curve((spins, root), look.SECOND, 1.6) for root in roots]
+    return [pen.Curve((spins, root), look.SECOND, 1.6) for root in roots]
 
 
 def _middles(inside: NDArray[np.bool_], rates: Floats) -> list[tuple[int, int]]:
@@ -391,7 +380,7 @@ REGIMES = Drawing(
         Parameter("omega3", 60.0, "largest $ω₃$", "rad/s", above=0),
         Parameter("phi_dot", 30.0, "largest $|φ̇|$", "rad/s", above=0),
     ),
-    alone(2.8, of_top(draw_regimes)),
+    pen.alone(2.8, of_top(draw_regimes)),
     "What a top with {top} does that starts at $θ = {theta:°}$ with $θ̇ = 0$, for each $ω₃$ and "
     "$φ̇$: waves, or loops (hatched), with cusps between (dashed), or a way through the vertical "
     "(dotted).{upright} Solid: steady precession.{begins}",

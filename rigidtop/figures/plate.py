@@ -14,9 +14,9 @@ from rigidtop.derivations.exercises.precession_of_rotation_axis import (
     plate_rates,
     wobbling_plate,
 )
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.picture import Arrow, Curve, Mark, Part, Words, disc, draw, paper
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, View
 from rigidtop.figures.style import Canvas, Floats
@@ -64,14 +64,14 @@ def draw_turns(axes: Axes, path: Trajectory) -> None:
     wobble, mark = turned(path)
     wobbles = f"{look.E3} about {look.L_VEC}"
     parts = [
-        Curve((path.t, wobble), look.SECOND, 1.3, label="_wobble"),
-        Curve((path.t, mark), look.FIRST, 1.3, look.DASHED, label="_mark"),
-        Mark((path.t[pictures], wobble[pictures]), look.SECOND, 4, label="_wobble_dots"),
-        Mark((path.t[pictures], mark[pictures]), look.FIRST, 4, label="_mark_dots"),
-        Words((path.t[k], wobble[k]), wobbles, (-7, 5), look.SECOND, "right"),
-        Words((path.t[k], mark[k]), "mark", (3, -11), look.FIRST),
+        pen.Curve((path.t, wobble), look.SECOND, 1.3, label="_wobble"),
+        pen.Curve((path.t, mark), look.FIRST, 1.3, look.DASHED, label="_mark"),
+        pen.Mark((path.t[pictures], wobble[pictures]), look.SECOND, 4, label="_wobble_dots"),
+        pen.Mark((path.t[pictures], mark[pictures]), look.FIRST, 4, label="_mark_dots"),
+        pen.Words((path.t[k], wobble[k]), wobbles, (-7, 5), look.SECOND, "right"),
+        pen.Words((path.t[k], mark[k]), "mark", (3, -11), look.FIRST),
     ]
-    draw(axes, parts)
+    pen.draw(axes, parts)
     axes.locator_params(axis="x", nbins=6)
     axes.set(xlabel="$t$  (s)", ylabel="turns")
 
@@ -88,17 +88,17 @@ def draw_plate(
     face, vertical = 0.5 * height * e3, 0.5 * height / float(e3[2]) * UPRIGHT
     mark, top = face + half * e1, REACH * UPRIGHT
     tip = min(REACH, 0.98 / max(math.hypot(e3[0], e3[1]), 1e-9)) * e3
-    parts: list[Part] = [
-        *disc(0.0 * e3, e3, half, height),
-        Curve([face, mark], look.FIRST, 1.1, z=above),
-        Mark(mark, look.FIRST, 4.2, z=above + 0.1, label="_mark"),
-        Curve([vertical, top], look.MOMENTUM, 0.9, look.DASHED, above),
-        Arrow(tip, "", look.AXIS, 1.3, start=face, z=above + 0.2),
+    parts: list[pen.Part] = [
+        *pen.disc(0.0 * e3, e3, half, height),
+        pen.Curve([face, mark], look.FIRST, 1.1, z=above),
+        pen.Mark(mark, look.FIRST, 4.2, z=above + 0.1, label="_mark"),
+        pen.Curve([vertical, top], look.MOMENTUM, 0.9, look.DASHED, above),
+        pen.Arrow(tip, "", look.AXIS, 1.3, start=face, z=above + 0.2),
     ]
     if named:
-        parts.append(Words(tip, look.E3, (1, 3), look.AXIS))
-        parts.append(Words(top, look.L_VEC, (-2, 3), look.MOMENTUM, "right"))
-    draw(axes, parts, VIEW)
+        parts.append(pen.Words(tip, look.E3, (1, 3), look.AXIS))
+        parts.append(pen.Words(top, look.L_VEC, (-2, 3), look.MOMENTUM, "right"))
+    pen.draw(axes, parts, VIEW)
 
 
 # --- Together ------------------------------------------------------------------------------------
@@ -122,7 +122,7 @@ def _draw(theta: float, radius: float, thickness: float, omega3: float) -> Canva
     for k, attitude in enumerate(path.rotation[:: (len(path.t) - 1) // (PICTURES - 1)]):
         place = drawn.add_axes((left + k * width / PICTURES, 0.61, width / PICTURES, 0.39))
         draw_plate(place, attitude, radius, thickness, named=k == 0)
-        paper(place, (-1.1, 1.1), (-1.1, 2.6))
+        pen.paper(place, (-1.1, 1.1), (-1.1, 2.6))
     return drawn
 
 

@@ -9,9 +9,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.precession_of_rotation_axis import DAY, earth_euler_period
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import Curve, Mark, Part, Words, alone, draw, paper
 from rigidtop.figures.solved import answers
 from rigidtop.figures.style import Floats, in_math
 from rigidtop.motion.body import FreeBody
@@ -60,16 +60,19 @@ def draw_polar_motion(
     once = np.linspace(0.0, found["period"], 361)
     way = way_of_the_pole(rigid, radius, once * DAY * omega3).T
     size = found["ground"]
-    parts: list[Part] = [
-        Curve((way[0], way[1]), look.OMEGA, 1.3, label="_way"),
+    parts: list[pen.Part] = [
+        pen.Curve((way[0], way[1]), look.OMEGA, 1.3, label="_way"),
         # Heads where there are no days of either.
-        *(Curve((way[0, k : k + 9], way[1, k : k + 9]), look.OMEGA, head=True) for k in (12, 192)),
-        Curve(([0.0, size], 0.0), look.GREY, 0.9, look.DASHED),
-        Mark((0.0, 0.0), look.AXIS, 4, z=5),
-        Mark((way[0, 0], way[1, 0]), look.OMEGA, 6.5, z=6),
-        Words((0.0, 0.0), look.E3, (-6, 0), look.AXIS, "right", "center", 10),
-        Words((size, 0.0), look.OMEGA_VEC, (7, -3), look.OMEGA, size=10),
-        Words(
+        *(
+            pen.Curve((way[0, k : k + 9], way[1, k : k + 9]), look.OMEGA, head=True)
+            for k in (12, 192)
+        ),
+        pen.Curve(([0.0, size], 0.0), look.GREY, 0.9, look.DASHED),
+        pen.Mark((0.0, 0.0), look.AXIS, 4, z=5),
+        pen.Mark((way[0, 0], way[1, 0]), look.OMEGA, 6.5, z=6),
+        pen.Words((0.0, 0.0), look.E3, (-6, 0), look.AXIS, "right", "center", 10),
+        pen.Words((size, 0.0), look.OMEGA_VEC, (7, -3), look.OMEGA, size=10),
+        pen.Words(
             (0.5 * size, 0.0), f"${in_math(size)}$ m", (0, 3), look.NOTE, "center", size=look.SMALL
         ),
     ]
@@ -82,16 +85,16 @@ def draw_polar_motion(
         days = marked_days(period)
         x, y = way_of_the_pole(motion, radius, days * DAY * omega3).T
         label = "_rigid" if outwards > 0 else "_yielding"
-        parts.append(Mark((x, y), color, label=label, **mark))
+        parts.append(pen.Mark((x, y), color, label=label, **mark))
         for k, day in enumerate(days[1:], 1):
             shift, number = (outwards * x[k] / size, outwards * y[k] / size), in_math(float(day), 4)
             parts.append(
-                Words((x[k], y[k]), f"${number}$", shift, color, "center", "center", look.SMALL)
+                pen.Words((x[k], y[k]), f"${number}$", shift, color, "center", "center", look.SMALL)
             )
         text = f"{words},\n${in_math(period)}$ days"
-        parts.append(Words((0.0, up * size), text, (0, 0), color, "center", "center"))
-    draw(axes, parts)
-    paper(axes, (-1.3 * size, 1.3 * size), (-1.2 * size, 1.2 * size))
+        parts.append(pen.Words((0.0, up * size), text, (0, 0), color, "center", "center"))
+    pen.draw(axes, parts)
+    pen.paper(axes, (-1.3 * size, 1.3 * size), (-1.2 * size, 1.2 * size))
 
 
 def _facts(angle: float, radius: float, **others: float) -> dict[str, Any]:
@@ -105,7 +108,7 @@ POLAR_MOTION = Drawing(
     "The wobble of the Earth: rigid, and as it is observed",
     "",
     earth_euler_period.parameters,
-    alone(3.05, draw_polar_motion),
+    pen.alone(3.05, draw_polar_motion),
     "The pole of rotation, where $𝛚$ meets the ground, goes round the pole of the figure, $e₃$: "
     "{direction}; seen from above. With $H = {H}$ and $ω₃ = {omega3}$ rad/s a rigid Earth needs "
     "{period} days (dots, days outside). Observed are {observed:4} (circles, days inside), as if "

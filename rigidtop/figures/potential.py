@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import (
     RATE,
@@ -21,7 +22,6 @@ from rigidtop.figures.bodies import (
     vertical,
 )
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import Band, Curve, Mark, Part, Words, alone, draw
 from rigidtop.figures.style import Floats
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.rigid import SymmetricTop
@@ -57,19 +57,19 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
     inside = np.clip(np.linspace(turns[0], turns[1], 300), *shown)
     below = np.minimum(effective_potential(top, inside, p_phi, p_psi), energy)
     at = np.degrees(turns)
-    parts: list[Part] = [
-        Curve((np.degrees(angles), potential), look.FIRST, 1.3, label="_potential"),
-        Band(np.degrees(inside), below, energy),
-        *(Curve((turn, [bottom, energy]), look.GREY, 0.8, look.DOTTED) for turn in at),
-        Curve((at, energy), lw=1.0, label="_energy"),
-        Mark((at, energy)),
-        Words((at[1], energy), "$E$", (7, 0), va="center"),
+    parts: list[pen.Part] = [
+        pen.Curve((np.degrees(angles), potential), look.FIRST, 1.3, label="_potential"),
+        pen.Band(np.degrees(inside), below, energy),
+        *(pen.Curve((turn, [bottom, energy]), look.GREY, 0.8, look.DOTTED) for turn in at),
+        pen.Curve((at, energy), lw=1.0, label="_energy"),
+        pen.Mark((at, energy)),
+        pen.Words((at[1], energy), "$E$", (7, 0), va="center"),
     ]
     if 0 < low < len(angles) - 1:
         place = math.degrees(angles[low]), float(potential[low])
-        parts.append(Mark(place, look.SECOND, 4.5, "s"))
-        parts.append(Words(place, "steady", (0, -6), look.SECOND, "center", "top"))
-    draw(axes, parts)
+        parts.append(pen.Mark(place, look.SECOND, 4.5, "s"))
+        parts.append(pen.Words(place, "steady", (0, -6), look.SECOND, "center", "top"))
+    pen.draw(axes, parts)
     axes.set(
         xlim=np.degrees(shown),
         ylim=(bottom, energy + 1.6 * depth),
@@ -96,7 +96,7 @@ EFFECTIVE_POTENTIAL = Drawing(
     "The effective potential with the turning points",
     "3.5.4",
     (*TOP, THETA, RATE, SPIN),
-    alone(2.5, lambda axes, **values: draw_effective_potential(axes, _motion(**values))),
+    pen.alone(2.5, lambda axes, **values: draw_effective_potential(axes, _motion(**values))),
     "The effective potential $U$ and the energy $E$, both less the constant $p_ψ²/(2λ₃)$, of a top "
     "with {top} that starts at {start} with {rates}. $θ$ runs between the turning points, "
     "{first:°} and {last:°} (dotted); the square marks the steady precession with the same "

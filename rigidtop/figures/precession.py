@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
 from rigidtop.derivations.exercises import parallel
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import SPIN, THETA, TOP, facts_of, of_top
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import Curve, Mark, Part, Rule, Words, alone, draw
 from rigidtop.figures.style import Floats
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
@@ -49,23 +49,23 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
     low, high = 1.02 * min(rates[-1, 1] if leaning else 0.0, 0.0), 1.08 * height
     where = least + 0.55 * (last - least)
     beside = {"ha": "right", "shift": (-5, 5)} if cosine > 0 else {"ha": "left", "shift": (5, 3)}
-    parts: list[Part] = []
+    parts: list[pen.Part] = []
     for k, name, color, law, formula, place in (
         (1, "fast", look.SECOND, fast, r"$\lambda_3\omega_3/(\lambda_1\cos\theta)$", beside),
         (0, "slow", look.FIRST, slow, r"$MgR/(\lambda_3\omega_3)$", ABOVE),
     )[not leaning :]:
         letter, at = rf"$\Omega_{'-+'[k]}$", (where, float(np.interp(where, spins, law)))
         parts += [
-            Curve((spins, law), look.GREY, 1.0, look.DASHED),
-            Curve((spins, rates[:, k]), color, 1.3, label=f"_{name}"),
-            Mark((omega3, marked[k]), color, 4),
-            Words((last, rates[-1, k]), letter, (3, 0), color, va="center"),
-            Words(at, formula, color=look.NOTE, **place),
+            pen.Curve((spins, law), look.GREY, 1.0, look.DASHED),
+            pen.Curve((spins, rates[:, k]), color, 1.3, label=f"_{name}"),
+            pen.Mark((omega3, marked[k]), color, 4),
+            pen.Words((last, rates[-1, k]), letter, (3, 0), color, va="center"),
+            pen.Words(at, formula, color=look.NOTE, **place),
         ]
     if least:
         formula = r"$\frac{2}{\lambda_3}\sqrt{\lambda_1 MgR\,\cos\theta}$"
-        parts += [Rule(x=least), Words((least, high), formula, (4, -1), va="top")]
-    draw(axes, parts)
+        parts += [pen.Rule(x=least), pen.Words((least, high), formula, (4, -1), va="top")]
+    pen.draw(axes, parts)
     axes.set(xlim=(0.5 * least, last), ylim=(low, high))
     axes.set(xlabel=r"$\omega_3$  (rad/s)", ylabel=r"$\Omega$  (rad/s)")
 
@@ -100,7 +100,7 @@ PRECESSION_RATES = Drawing(
     "$Ω₋$ and $Ω₊$ against $ω₃$, with the threshold",
     "3.5.3",
     (*TOP, THETA, SPIN),
-    alone(2.5, of_top(draw_precession_rates)),
+    pen.alone(2.5, of_top(draw_precession_rates)),
     "The roots of (3.57) against $ω₃$ at $θ = {theta:°}$, for {top}; at $ω₃ = {omega3}$ rad/s they "
     "are $Ω₋ = {slow}$ rad/s{other}. Dashed: what the notes give for large $ω₃$.{left}",
     "{course}",
@@ -153,18 +153,18 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
         return made
 
     (lines, dots), here = (errors(spins), errors(marked)), weakness(top, theta, omega3)
-    parts: list[Part] = [
-        Rule(y=0.01, lw=0.8),
-        Words((epsilon[0], 0.01), "1 %", (4, 3), look.NOTE),
+    parts: list[pen.Part] = [
+        pen.Rule(y=0.01, lw=0.8),
+        pen.Words((epsilon[0], 0.01), "1 %", (4, 3), look.NOTE),
     ]
     for order, width, words in ((0, 1.5, "leading order"), (1, 1.0, "next order")):
         for root, (color, style) in enumerate(((look.FIRST, "-"), (look.SECOND, look.DASHED))):
-            parts.append(Curve((epsilon, lines[order, root]), color, width, style))
-            parts.append(Mark((here, float(dots[order, root, 0])), color))
+            parts.append(pen.Curve((epsilon, lines[order, root]), color, width, style))
+            parts.append(pen.Mark((here, float(dots[order, root, 0])), color))
         k = 90 + 40 * order
         place = float(epsilon[k]), float(lines[order].max(axis=0)[k])
-        parts.append(Words(place, words, (-4, 4), ha="right"))
-    draw(axes, parts)
+        parts.append(pen.Words(place, words, (-4, 4), ha="right"))
+    pen.draw(axes, parts)
     axes.set(
         xscale="log",
         yscale="log",
@@ -194,7 +194,7 @@ ASYMPTOTICS = Drawing(
     "How good the formulas for large $ω₃$ are",
     "",
     (*TOP, UPWARD, SPIN),
-    alone(2.6, of_top(draw_asymptotics)),
+    pen.alone(2.6, of_top(draw_asymptotics)),
     "The relative error of $Ω₋ ≈ MgR/(λ₃ω₃)$ and $Ω₊ ≈ λ₃ω₃/(λ₁ cos θ)$, and of the same with the "
     "next term in $ε$, against $ε$; at $ε = 1/4$ the two roots of (3.57) meet. Dots: a top with "
     "{top} at $θ = {theta:°}$ and $ω₃ = {omega3}$ rad/s, $ε = {epsilon}$, where the first are off "
@@ -284,11 +284,11 @@ def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
     bound = math.degrees(bound_of_angle(motion))
     formula = r"$\arctan(2\epsilon_0\,|1-\lambda_3/\lambda_1|\,\sin\theta_\mathrm{max})$"
     parts = [
-        Curve((times, angle), look.FIRST, 1.3, label="_angle"),
-        Rule(y=bound, color=look.SECOND, lw=1.1, ls=look.DASHED, label="_bound"),
-        Words((0.0, bound), formula, (4, 5), look.SECOND, va="bottom"),
+        pen.Curve((times, angle), look.FIRST, 1.3, label="_angle"),
+        pen.Rule(y=bound, color=look.SECOND, lw=1.1, ls=look.DASHED, label="_bound"),
+        pen.Words((0.0, bound), formula, (4, 5), look.SECOND, va="bottom"),
     ]
-    draw(axes, parts)
+    pen.draw(axes, parts)
     ylabel = r"angle of $\mathbf{L}$ and $\boldsymbol{\omega}$  (degrees)"
     limits = (0, times[-1]), (0, 1.3 * bound or 1.0)
     axes.set(xlim=limits[0], ylim=limits[1], xlabel="$t$  (s)", ylabel=ylabel)
@@ -320,7 +320,7 @@ PARALLEL = Drawing(
     "$𝐋$ and $𝛚$ of a fast top are nearly parallel",
     "",
     (*TOP, THETA, Parameter("omega3", 150.0, "$ω₃$", "rad/s", above=0)),
-    alone(2.3, of_top(draw_parallel)),
+    pen.alone(2.3, of_top(draw_parallel)),
     "The angle between $𝐋$ and $𝛚$ of a top with {top} that is let go at $θ = {theta:°}$ with $ω₃ "
     "= {omega3}$ rad/s and $𝛚$ along $e₃$. {course} Dashed: the bound that holds at any spin, its "
     "tangent $2ε₀|1 − λ₃/λ₁| sin θ$ with the largest $sin θ$ that occurs, here {bound:°} with $ε₀ "

@@ -10,9 +10,9 @@ from matplotlib.axes import Axes
 from scipy.spatial.transform import Rotation
 
 from rigidtop.derivations.exercises.rotation_matrices import about, rotations_form_a_group
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import ORIGIN, Arrow, Curve, Face, Part, draw, paper
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import View, unit
 from rigidtop.figures.style import Canvas, Floats, canvas, degrees, said
@@ -79,16 +79,16 @@ def strokes(axis: int, side: int) -> list[Floats]:
     return [np.column_stack([[share * HALF[0]] * 2, ends[:, 1:]]) for share in (-0.4, 0.0, 0.4)]
 
 
-def book(turn: Floats) -> list[Part]:
+def book(turn: Floats) -> list[pen.Part]:
     """The book, turned by a matrix (3, 3)."""
-    parts: list[Part] = []
+    parts: list[pen.Part] = []
     for axis, side, color in FACES:
         corner, normal = corners(axis, side) @ turn.T, side * turn[:, axis]
-        parts.append(Face(corner, color, EDGE, 0.8, z=3, normal=normal))
+        parts.append(pen.Face(corner, color, EDGE, 0.8, z=3, normal=normal))
         ink, width = (look.GREY, 0.4) if color == PAPER else (EDGE, 2.2)
         label = "_letter" if color == COVER else "_"
         for stroke in strokes(axis, side) if color != SPINE else ():
-            parts.append(Curve(stroke @ turn.T, ink, width, z=4, label=label, normal=normal))
+            parts.append(pen.Curve(stroke @ turn.T, ink, width, z=4, label=label, normal=normal))
     return parts
 
 
@@ -116,16 +116,16 @@ def draw_turned(axes: Axes, turn: Floats, gamma: float, last: Turn | None = None
     for end, name in zip(ends, names, strict=True):
         out, seen = leaves(turn, unit(end))
         below = (-3.0, -10.0) if close else None
-        parts.append(Arrow(end, name, look.FIRST, 1.0, out, below, 5 if seen else 2))
+        parts.append(pen.Arrow(end, name, look.FIRST, 1.0, out, below, 5 if seen else 2))
     if last is not None:
         k, angle = last
         # Around the end of the axis, from above it.
         start = 0.82 * ends[k] + np.array([0.0, 0.0, 0.34])
         turns = np.outer(np.linspace(0, angle, 61), unit(ends[k]))
         way, z = Rotation.from_rotvec(turns).apply(start), 5.5 if leaves(turn, ends[k])[1] else 2.5
-        parts.append(Curve([ORIGIN, 0.95 * ends[k]], TURNED_ABOUT, 4.5, z=1, cap="round"))
-        parts.append(Curve(way, TURN, z=z, head=abs(angle) > 0.2, label="_turn"))
-    draw(axes, parts, VIEW)
+        parts.append(pen.Curve([pen.ORIGIN, 0.95 * ends[k]], TURNED_ABOUT, 4.5, z=1, cap="round"))
+        parts.append(pen.Curve(way, TURN, z=z, head=abs(angle) > 0.2, label="_turn"))
+    pen.draw(axes, parts, VIEW)
 
 
 def orders(alpha: float, beta: float, gamma: float) -> list[list[tuple[str, Floats, Turn | None]]]:
@@ -148,7 +148,7 @@ def _draw(**values: float) -> Canvas:
         for (words, turn, last), axes in zip(row, panels, strict=True):
             draw_turned(axes, turn, values["gamma"], last)
             axes.set_title(words)
-            paper(axes, (-0.98, 1.2), (-0.92, 0.92))
+            pen.paper(axes, (-0.98, 1.2), (-0.92, 0.92))
     return drawn
 
 

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import RATE, SPIN, THETA, TOP, facts_of, has_phi, rates_in_words
 from rigidtop.figures.drawing import Drawing, Film, one
 from rigidtop.figures.nutation import nutation_times
-from rigidtop.figures.picture import Arrow, Curve, Part, cone, draw, paper, table
 from rigidtop.figures.space import View, unit
 from rigidtop.figures.style import Canvas, Floats
 from rigidtop.motion.motion import TopMotion
@@ -30,13 +30,13 @@ TRAIL = 1.3
 """How far out on the axis the path is drawn."""
 
 
-def _round_about(motion: TopMotion, times: Floats, lw: float, z: float) -> list[Part]:
+def _round_about(motion: TopMotion, times: Floats, lw: float, z: float) -> list[pen.Part]:
     """The table, ẑ and the path of the axis, which go from behind ẑ to before it."""
     path = TRAIL * motion.exact(times).e3
     return [
-        *([table(0.6)] if motion.turning_points[1] < STANDING else []),
-        Arrow([0, 0, 1.6], look.Z, look.GREY, 0.8, shift=(7, 2), z=1 if z < 7 else 8),
-        Curve(path, look.FIRST, lw, z=z, hidden=path[:, 0] < 0),
+        *([pen.table(0.6)] if motion.turning_points[1] < STANDING else []),
+        pen.Arrow([0, 0, 1.6], look.Z, look.GREY, 0.8, shift=(7, 2), z=1 if z < 7 else 8),
+        pen.Curve(path, look.FIRST, lw, z=z, hidden=path[:, 0] < 0),
     ]
 
 
@@ -46,12 +46,12 @@ def draw_top(axes: Axes, motion: TopMotion, t: float, since: Floats) -> None:
     e3, mark = run.e3[0], run.rotation.as_matrix()[0][:, 0]
     parts = [
         *_round_about(motion, since, 1.2, 3),
-        *cone(e3, mark=mark, z=2 if e3[0] > 0 else 1.2),
-        Arrow(TRAIL * e3, look.E3, look.AXIS, 1.3, start=0.9 * e3),
-        Arrow(1.2 * unit(run.angular_momentum[0]), look.L_VEC, look.MOMENTUM, 1.3),
-        Arrow(1.05 * unit(run.omega_space[0]), look.OMEGA_VEC, look.OMEGA, 1.5),
+        *pen.cone(e3, mark=mark, z=2 if e3[0] > 0 else 1.2),
+        pen.Arrow(TRAIL * e3, look.E3, look.AXIS, 1.3, start=0.9 * e3),
+        pen.Arrow(1.2 * unit(run.angular_momentum[0]), look.L_VEC, look.MOMENTUM, 1.3),
+        pen.Arrow(1.05 * unit(run.omega_space[0]), look.OMEGA_VEC, look.OMEGA, 1.5),
     ]
-    draw(axes, parts, VIEW)
+    pen.draw(axes, parts, VIEW)
 
 
 def draw_stroboscopic(axes: Axes, motion: TopMotion, times: Floats) -> None:
@@ -61,9 +61,9 @@ def draw_stroboscopic(axes: Axes, motion: TopMotion, times: Floats) -> None:
     for place, k in enumerate(np.argsort(VIEW(run.e3)[2], kind="stable")):
         e3, mark, z = run.e3[k], run.rotation.as_matrix()[k][:, 0], 2 + 0.5 * place
         tip, start = TRAIL * e3, BODY[0] * e3
-        number = Arrow(tip, rf"${k + 1}$", look.AXIS, 1.2, start, (0, 10), z + 0.4)
-        parts += [*cone(e3, *BODY, mark, z), number]
-    draw(axes, parts, VIEW)
+        number = pen.Arrow(tip, rf"${k + 1}$", look.AXIS, 1.2, start, (0, 10), z + 0.4)
+        parts += [*pen.cone(e3, *BODY, mark, z), number]
+    pen.draw(axes, parts, VIEW)
 
 
 def _motion(theta: float, phi_dot: float, omega3: float, **top: float) -> TopMotion:
@@ -91,7 +91,7 @@ def _draw(**values: float) -> Canvas:
     drawn, axes = _empty()
     motion = _motion(**values)
     draw_stroboscopic(axes, motion, _times(motion, 1200))
-    paper(axes, (-1.32, 1.32), (_lowest(motion), 1.72))
+    pen.paper(axes, (-1.32, 1.32), (_lowest(motion), 1.72))
     return drawn
 
 
@@ -107,7 +107,7 @@ def _film(**values: float) -> Film:
         axes.clear()
         now = share * last
         draw_top(axes, motion, now, np.linspace(min(now - 1e-9 * last, 0.0), now, 1500))
-        paper(axes, (-1.32, 1.32), (_lowest(motion), 1.72))
+        pen.paper(axes, (-1.32, 1.32), (_lowest(motion), 1.72))
 
     show(0.0)
     return Film(drawn, show)

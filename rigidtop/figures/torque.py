@@ -9,23 +9,10 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.errors import NoSteadyPrecession
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import TOP, facts_of
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.picture import (
-    ORIGIN,
-    Arrow,
-    Mark,
-    Part,
-    Words,
-    alone,
-    cone,
-    couple,
-    draw,
-    paper,
-    round_axis,
-    table,
-)
 from rigidtop.figures.space import UPRIGHT, View, circle, unit
 from rigidtop.figures.style import Floats
 from rigidtop.motion.motion import TopMotion
@@ -63,28 +50,28 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     half = min(0.37, 0.8 * (math.pi / 2 - lean)) if standing else 0.37
     centre, end = 0.62 * e3, 1.42 * momentum
     weight = centre - 0.46 * UPRIGHT
-    parts: list[Part] = [
-        *([table(0.62)] if standing else []),
-        *cone(e3, 0.78, 0.78 * math.tan(half)),
-        round_axis(circle(UPRIGHT, tilt, length=1.42), look.MOMENTUM, lw=0.9, ls=look.DASHED),
-        Arrow(1.95 * UPRIGHT, look.Z, look.GREY, 0.8, shift=(7, 2)),
-        Arrow(centre, lw=2.0),
-        Arrow(1.05 * e3, look.E3, look.AXIS, 1.0, shift=(9, 0)),
-        Arrow(end, look.L_VEC, look.MOMENTUM, 1.7, shift=(9, 2)),
-        Arrow(1.2 * omega, look.OMEGA_VEC, look.OMEGA, 1.7, shift=(9, -3)),
-        couple(0.95 * turning, (-6, -10), "right"),
-        Arrow(weight, start=centre),
-        Words(weight, look.WEIGHT, (6, 2)),
-        Mark(centre),
-        Words(centre, look.R_CM, (6, -8)),
-        Words(ORIGIN, "$O$", (5, -10)),
+    parts: list[pen.Part] = [
+        *([pen.table(0.62)] if standing else []),
+        *pen.cone(e3, 0.78, 0.78 * math.tan(half)),
+        pen.round_axis(circle(UPRIGHT, tilt, length=1.42), look.MOMENTUM, lw=0.9, ls=look.DASHED),
+        pen.Arrow(1.95 * UPRIGHT, look.Z, look.GREY, 0.8, shift=(7, 2)),
+        pen.Arrow(centre, lw=2.0),
+        pen.Arrow(1.05 * e3, look.E3, look.AXIS, 1.0, shift=(9, 0)),
+        pen.Arrow(end, look.L_VEC, look.MOMENTUM, 1.7, shift=(9, 2)),
+        pen.Arrow(1.2 * omega, look.OMEGA_VEC, look.OMEGA, 1.7, shift=(9, -3)),
+        pen.couple(0.95 * turning, (-6, -10), "right"),
+        pen.Arrow(weight, start=centre),
+        pen.Words(weight, look.WEIGHT, (6, 2)),
+        pen.Mark(centre),
+        pen.Words(centre, look.R_CM, (6, -8)),
+        pen.Words(pen.ORIGIN, "$O$", (5, -10)),
     ]
     if np.any(turning):
         beyond = end + 0.42 * turning
-        parts.append(Arrow(beyond, "", look.TORQUE, 1.2, start=end))
-        parts.append(Words(beyond, look.L_DOT, (2, 4), look.TORQUE, "center"))
-    draw(axes, parts, VIEW)
-    paper(axes, (-1.45, 1.7), (min(-0.3, 1.6 * e3[2] - 0.4), 1.92))
+        parts.append(pen.Arrow(beyond, "", look.TORQUE, 1.2, start=end))
+        parts.append(pen.Words(beyond, look.L_DOT, (2, 4), look.TORQUE, "center"))
+    pen.draw(axes, parts, VIEW)
+    pen.paper(axes, (-1.45, 1.7), (min(-0.3, 1.6 * e3[2] - 0.4), 1.92))
 
 
 def _motion(theta: float, omega3: float, **top: float) -> TopMotion:
@@ -132,7 +119,7 @@ TORQUE_ARROWS = Drawing(
         Parameter("theta", math.pi / 4, "$θ$", "rad", least=0, most=math.pi),
         Parameter("omega3", 30.0, "$ω₃$", "rad/s", above=0),
     ),
-    alone(2.75, lambda axes, **values: draw_torque(axes, _motion(**values))),
+    pen.alone(2.75, lambda axes, **values: draw_torque(axes, _motion(**values))),
     "The torque $𝐍 = 𝐑_CM × M𝐠$ of the weight, with $e₃$ leaning to the right in the plane of the "
     "paper: {where}. At {start}, with {top}, its magnitude is {size} N m, and {goes}. Directions "
     "are computed, lengths are not to one scale.",

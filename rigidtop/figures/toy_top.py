@@ -16,21 +16,9 @@ from rigidtop.derivations.exercises.toy_top import (
     spinning_at,
     top_from_the_toy_box,
 )
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import (
-    Curve,
-    Mark,
-    Part,
-    Rule,
-    Turning,
-    Words,
-    disc,
-    draw,
-    guide,
-    paper,
-    table,
-)
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, View, arc
 from rigidtop.figures.style import Canvas, canvas
@@ -71,20 +59,20 @@ def draw_toy_top(
     way = (top + 0.5) * arc(UPRIGHT, e3)
     pieces = ((0.0, middle), 1.5), ((middle + height / 2, top), 3.0)
     stem: Any = {"lw": 2.4, "cap": "butt", "label": "_stem"}
-    parts: list[Part] = [
-        table(),
-        *(Curve(np.outer(ends, e3), look.NOTE, z=z, **stem) for ends, z in pieces),
-        *disc(middle * e3, e3, half, height),
-        Mark(centre * e3, label="_centre"),
-        Words(centre * e3, look.R_CM, (5, -8)),
-        guide(np.outer([top, top + 0.62], e3)),
-        guide(np.outer([0.0, top + 0.62], UPRIGHT)),
-        guide(way),
-        Words(1.05 * way[30], r"$\theta$", (0, 2), ha="center"),
-        Turning((top + 0.2) * e3, e3, 0.16, omega3, r"$\omega_3$"),
+    parts: list[pen.Part] = [
+        pen.table(),
+        *(pen.Curve(np.outer(ends, e3), look.NOTE, z=z, **stem) for ends, z in pieces),
+        *pen.disc(middle * e3, e3, half, height),
+        pen.Mark(centre * e3, label="_centre"),
+        pen.Words(centre * e3, look.R_CM, (5, -8)),
+        pen.guide(np.outer([top, top + 0.62], e3)),
+        pen.guide(np.outer([0.0, top + 0.62], UPRIGHT)),
+        pen.guide(way),
+        pen.Words(1.05 * way[30], r"$\theta$", (0, 2), ha="center"),
+        pen.Turning((top + 0.2) * e3, e3, 0.16, omega3, r"$\omega_3$"),
     ]
-    draw(axes, parts, VIEW)
-    paper(axes, (-1.02, 1.02), (-0.25, 1.85))
+    pen.draw(axes, parts, VIEW)
+    pen.paper(axes, (-1.02, 1.02), (-0.25, 1.85))
 
 
 # --- The path of its axis ------------------------------------------------------------------------
@@ -124,15 +112,15 @@ def draw_path_from_above(axes: Axes, motion: TopMotion, touching: float) -> None
     below = 0.0 if theta[0] > 0.45 * edge else 0.5 * float(theta.max() + edge)
     shift = (0, -3 if below else -11)
     parts = [
-        Curve((x, y), look.FIRST, 1.0, label="_path"),
-        Mark((x[0], y[0]), look.FIRST),
-        Curve(rim, look.SECOND, 0.9, look.DOTTED),
-        Words((0.0, edge), "rim touches", (0, 3), look.SECOND, "center"),
-        Mark((0.0, 0.0), look.GREY, 6, "+"),
-        Words((0.0, -below), rf"$\theta = {theta[0]:.3g}°$", shift, ha="center"),
+        pen.Curve((x, y), look.FIRST, 1.0, label="_path"),
+        pen.Mark((x[0], y[0]), look.FIRST),
+        pen.Curve(rim, look.SECOND, 0.9, look.DOTTED),
+        pen.Words((0.0, edge), "rim touches", (0, 3), look.SECOND, "center"),
+        pen.Mark((0.0, 0.0), look.GREY, 6, "+"),
+        pen.Words((0.0, -below), rf"$\theta = {theta[0]:.3g}°$", shift, ha="center"),
     ]
-    draw(axes, parts)
-    paper(axes, (-1.04 * edge, 1.04 * edge), (-1.04 * edge, 1.25 * edge))
+    pen.draw(axes, parts)
+    pen.paper(axes, (-1.04 * edge, 1.04 * edge), (-1.04 * edge, 1.25 * edge))
 
 
 # --- Against the spin ----------------------------------------------------------------------------
@@ -150,18 +138,18 @@ def draw_against_spin(axes: Axes, top: HeavyTop, theta: float, omega3: float) ->
     marked = np.array(spinning_at(top, theta, given)) / (2 * math.pi)
     styles = ((2, look.SECOND, look.DASHED, "nutations"), (0, look.FIRST, "-", "turns of the axis"))
     high, at = 3 * rates[-1, 2], int(0.85 * len(spins))
-    parts: list[Part] = [
-        Rule(x=wakes * RPM, label="_sleeps"),
-        Words((wakes * RPM, high), "sleeps", (4, -1), va="top"),
+    parts: list[pen.Part] = [
+        pen.Rule(x=wakes * RPM, label="_sleeps"),
+        pen.Words((wakes * RPM, high), "sleeps", (4, -1), va="top"),
     ]
     for k, color, style, words in styles:
         place = spins[at] * RPM, rates[at, k]
         parts += [
-            Curve((spins * RPM, rates[:, k]), color, 1.3, style, label=f"_{words}"),
-            Mark((given * RPM, marked[k]), color, 4.5, label=f"_{words} now"),
-            Words(place, words, (0, 5), color, "center"),
+            pen.Curve((spins * RPM, rates[:, k]), color, 1.3, style, label=f"_{words}"),
+            pen.Mark((given * RPM, marked[k]), color, 4.5, label=f"_{words} now"),
+            pen.Words(place, words, (0, 5), color, "center"),
         ]
-    draw(axes, parts)
+    pen.draw(axes, parts)
     axes.set(yscale="log", xlim=(0.9 * least * RPM, last * RPM), ylim=(0.6 * rates[-1, 0], high))
     axes.yaxis.set_major_formatter("{x:g}")
     axes.set(xlabel="spin  (turns a minute)", ylabel="in a second")

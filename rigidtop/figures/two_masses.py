@@ -10,22 +10,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.opening import two_masses
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import (
-    ORIGIN,
-    Arrow,
-    Curve,
-    Mark,
-    Part,
-    Words,
-    alone,
-    couple,
-    draw,
-    guide,
-    paper,
-    round_axis,
-)
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, View, arc, circle, total, unit
 from rigidtop.figures.style import Floats
@@ -85,52 +72,52 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
     angle = 0.5 * arc(UPRIGHT, along)
     narrow = (-9, 0) if float(along[1]) < SHORT else (0, 0)
     beside = None if momentum[1] < -0.15 else (-9.0, -2.0)
-    parts: list[Part] = [
-        Curve([-1.05 * UPRIGHT, ORIGIN], look.RULE, 3.5, z=1, cap="butt"),
-        Curve(places, look.NOTE, 2.6, z=4, label="_stick"),
-        guide([ORIGIN, 0.55 * along], z=2),
-        guide(angle, z=3),
-        Words(1.16 * angle[30], r"$\alpha$", narrow, look.NOTE, "center", "center"),
-        Arrow(1.4 * UPRIGHT, look.OMEGA_VEC, look.OMEGA, 1.7, shift=(9, -2)),
-        Arrow(momentum, look.L_VEC, look.MOMENTUM, 1.9, shift=beside, z=5.2),
-        couple(turning, (8, -12)),
-        Mark(ORIGIN),
+    parts: list[pen.Part] = [
+        pen.Curve([-1.05 * UPRIGHT, pen.ORIGIN], look.RULE, 3.5, z=1, cap="butt"),
+        pen.Curve(places, look.NOTE, 2.6, z=4, label="_stick"),
+        pen.guide([pen.ORIGIN, 0.55 * along], z=2),
+        pen.guide(angle, z=3),
+        pen.Words(1.16 * angle[30], r"$\alpha$", narrow, look.NOTE, "center", "center"),
+        pen.Arrow(1.4 * UPRIGHT, look.OMEGA_VEC, look.OMEGA, 1.7, shift=(9, -2)),
+        pen.Arrow(momentum, look.L_VEC, look.MOMENTUM, 1.9, shift=beside, z=5.2),
+        pen.couple(turning, (8, -12)),
+        pen.Mark(pen.ORIGIN),
     ]
     for k, place in enumerate(places):
         parts += _mass(k, place, 12 * float(np.cbrt(held.masses[k] / held.masses.max())))
     if np.any(held.force):
-        parts.append(Arrow(0.55 * unit(held.force), r"$\mathbf{F}$", lw=1.2, shift=(0, 9)))
+        parts.append(pen.Arrow(0.55 * unit(held.force), r"$\mathbf{F}$", lw=1.2, shift=(0, 9)))
     if np.any(turning):
-        parts.append(Arrow(momentum + 0.5 * turning, "", look.TORQUE, 1.2, start=momentum))
-        parts.append(Words(momentum, look.L_DOT, (-4, -17), look.TORQUE, "right"))
-    draw(axes, parts, VIEW)
-    paper(axes, (-1.5, 1.5), (-1.15, 1.35))
+        parts.append(pen.Arrow(momentum + 0.5 * turning, "", look.TORQUE, 1.2, start=momentum))
+        parts.append(pen.Words(momentum, look.L_DOT, (-4, -17), look.TORQUE, "right"))
+    pen.draw(axes, parts, VIEW)
+    pen.paper(axes, (-1.5, 1.5), (-1.15, 1.35))
 
 
-def _mass(k: int, place: Floats, size: float) -> list[Part]:
+def _mass(k: int, place: Floats, size: float) -> list[pen.Part]:
     """A ball as one of the same material as the other, its way, and the name of its arm."""
     distance = float(np.linalg.norm(place))
     tilt = math.acos(float(np.clip(place[2] / distance, -1, 1)))
     way = circle(UPRIGHT, tilt, length=distance)
     short = distance < SHORT  # beside F, which may lie there
     aside = (0.5 * size + 3) * (1 - 2 * k), (5, -14)[k] if short else -3
-    parts: list[Part] = [
-        round_axis(way, look.GREY, lw=0.8, ls=look.DASHED),
-        Mark(place, size=size, fill=look.FACE, edge=look.EDGE, width=0.8, z=6),
-        Words(place, f"$M_{k + 1}$", aside, ha=("left", "right")[k]),
+    parts: list[pen.Part] = [
+        pen.round_axis(way, look.GREY, lw=0.8, ls=look.DASHED),
+        pen.Mark(place, size=size, fill=look.FACE, edge=look.EDGE, width=0.8, z=6),
+        pen.Words(place, f"$M_{k + 1}$", aside, ha=("left", "right")[k]),
     ]
     across = 8 * unit([place[2], -place[1]])
     shift = float(across[0]), float(across[1])
-    arm = Words(0.62 * place, ("$a$", "$b$")[k], shift, look.NOTE, "center", "center", z=7)
+    arm = pen.Words(0.62 * place, ("$a$", "$b$")[k], shift, look.NOTE, "center", "center", z=7)
     return parts if short else [*parts, arm]
 
 
 def _facts(**values: float) -> dict[str, Any]:
     held, facts = stick(**values), answers(two_masses, **values)
     turns, pulls = np.any(held.torque), np.any(held.force)
-    couple = "$L$ stays where it is: the bearing exerts no torque"
+    bearing = "$L$ stays where it is: the bearing exerts no torque"
     if turns:
-        couple = (
+        bearing = (
             "As $𝐋$ turns with the stick, the bearing exerts the torque $𝐍 = 𝛚 × 𝐋$ of {torque} N "
             "m, out of the plane of the paper"
         )
@@ -139,7 +126,7 @@ def _facts(**values: float) -> dict[str, Any]:
     side = "left" if held.force[1] < 0 else "right"
     pushes = f" The force F of the bearing points to the {side}, at right angles to omega."
     return facts | {
-        "couple": couple,
+        "couple": bearing,
         "push": push if pulls else "no force, as it holds the centre of mass",
         "turns": across if turns else "There is no torque.",
         "pushes": pushes if pulls else "",
@@ -151,7 +138,7 @@ TWO_MASSES = Drawing(
     "Two masses on a stick: $𝛚$, $𝐋$, and what the bearing exerts",
     "",
     two_masses.parameters,
-    alone(2.8, lambda axes, **values: draw_two_masses(axes, stick(**values))),
+    pen.alone(2.8, lambda axes, **values: draw_two_masses(axes, stick(**values))),
     "Two masses on a stick, $M₁ = {M_1}$ kg at $a = {a}$ m and $M₂ = {M_2}$ kg at $b = {b}$ m, "
     "which a bearing turns at $ω = {omega}$ rad/s, tilted by $α = {alpha:°}$. $𝐋$ is at right "
     "angles to the stick, {angle:°} from $𝛚$, of magnitude {angular_momentum} J s. {couple}, and "

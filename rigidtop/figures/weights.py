@@ -10,21 +10,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.net_torque import POINTS, gravity_on_points
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.picture import (
-    ORIGIN,
-    Arrow,
-    Curve,
-    Mark,
-    Part,
-    Words,
-    alone,
-    axes_of_space,
-    couple,
-    draw,
-    paper,
-)
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import View, total, unit
 from rigidtop.figures.style import Floats, said
@@ -90,21 +78,21 @@ def draw_weights(axes: Axes, body: Points) -> None:
     drawn = sketch(body)
     end = drawn.centre + drawn.weights.sum(axis=0)
     side, shift = ("left", (5, 3)) if _room_on_the_right(drawn) else ("right", (-5, 3))
-    parts: list[Part] = axes_of_space(0.45, z=1.5)
+    parts: list[pen.Part] = pen.axes_of_space(0.45, z=1.5)
     for k, place in enumerate(drawn.places):
         size = 9 * float(np.cbrt(body.masses[k] / body.masses.max()))  # as balls of one material
         parts += _point(place, drawn.weights[k], f"$m_{k + 1}$", size)
     parts += [
-        Arrow(end, look.WEIGHT, lw=2.0, start=drawn.centre),
-        Arrow(drawn.centre, lw=1.6, z=5.5),
-        Mark(drawn.centre, size=4),
-        Words(drawn.centre, look.R_CM, shift, ha=side),
-        couple(drawn.couple, (10, -22)),
+        pen.Arrow(end, look.WEIGHT, lw=2.0, start=drawn.centre),
+        pen.Arrow(drawn.centre, lw=1.6, z=5.5),
+        pen.Mark(drawn.centre, size=4),
+        pen.Words(drawn.centre, look.R_CM, shift, ha=side),
+        pen.couple(drawn.couple, (10, -22)),
     ]
-    draw(axes, parts, VIEW)
+    pen.draw(axes, parts, VIEW)
     under = drawn.places + drawn.weights
     x, y, _ = VIEW(np.vstack([0.55 * np.eye(3), drawn.places, under, end, drawn.couple]))
-    paper(axes, (x.min() - 0.2, x.max() + 0.2), (y.min() - 0.15, y.max() + 0.15))
+    pen.paper(axes, (x.min() - 0.2, x.max() + 0.2), (y.min() - 0.15, y.max() + 0.15))
 
 
 def _room_on_the_right(drawn: Sketch) -> bool:
@@ -118,16 +106,16 @@ def _room_on_the_right(drawn: Sketch) -> bool:
     return bool(right >= left)
 
 
-def _point(place: Floats, weight: Floats, words: str, size: float) -> list[Part]:
+def _point(place: Floats, weight: Floats, words: str, size: float) -> list[pen.Part]:
     """A ball on its rod, its weight, and a plumb line to the plane of x̂ and ŷ."""
     foot = place * [1.0, 1.0, 0.0]
     return [
-        Curve([ORIGIN, place], look.RULE, 2.0),
-        Curve([place, foot], look.GREY, 0.7, look.DOTTED, z=1),
-        Mark(foot, look.GREY, 3, ".", z=1),
-        Arrow(place + weight, "", look.FIRST, 1.3, start=place),
-        Mark(place, size=size, fill=look.FACE, edge=look.EDGE, width=0.8, z=6),
-        Words(place, words, (0, 0.5 * size + 3), ha="center", z=7),
+        pen.Curve([pen.ORIGIN, place], look.RULE, 2.0),
+        pen.Curve([place, foot], look.GREY, 0.7, look.DOTTED, z=1),
+        pen.Mark(foot, look.GREY, 3, ".", z=1),
+        pen.Arrow(place + weight, "", look.FIRST, 1.3, start=place),
+        pen.Mark(place, size=size, fill=look.FACE, edge=look.EDGE, width=0.8, z=6),
+        pen.Words(place, words, (0, 0.5 * size + 3), ha="center", z=7),
     ]
 
 
@@ -150,7 +138,7 @@ WEIGHTS = Drawing(
     "The weights of three points, and one at their centre of mass",
     "",
     gravity_on_points.parameters,
-    alone(2.7, lambda axes, **values: draw_weights(axes, points(**values))),
+    pen.alone(2.7, lambda axes, **values: draw_weights(axes, points(**values))),
     "Three masses, {masses} kg, held together by light rods and held at the origin, and their "
     "weights at $g = {g}$ m/s². The whole mass $M = {mass}$ kg at the centre of mass, $𝐑_CM = "
     "({centre})$ m, has their torque: $Σ 𝐫ₖ × mₖ𝐠 = 𝐑_CM × M𝐠$, {turning}; and their potential "
