@@ -135,12 +135,8 @@ def rendered(drawing: Drawing, kind: str, given: Mapping[str, float] | None = No
 
 
 def both(drawing: Drawing, given: Mapping[str, float] | None = None) -> tuple[bytes, bytes]:
-    """A figure of a document as PDF and as SVG, drawn and laid out once, as wide as is drawn.
-
-    The letters of the PDF are outlines (Type 3): to cut a font for each figure takes longer than
-    all the rest of it.
-    """
-    paper, page = _saved(drawing, given, "pdf", "svg", wide=False, fonttype=3)
+    """A figure of a document as PDF and as SVG, drawn and laid out once, as wide as is drawn."""
+    paper, page = _saved(drawing, given, "pdf", "svg", wide=False)
     return paper, page
 
 
@@ -149,10 +145,9 @@ def _saved(
     given: Mapping[str, float] | None,
     *kinds: str,
     wide: bool = True,
-    fonttype: int = 42,
 ) -> list[bytes]:
     """A figure as each of the kinds, "svg" last, which has no white behind it."""
-    with matplotlib.rc_context({**STYLE, "pdf.fonttype": fonttype}):
+    with matplotlib.rc_context(STYLE):
         figure = drawing.draw(**drawing.values(given))
         for name in figure.findobj(Text):
             for ours, theirs in MATHTEXT:

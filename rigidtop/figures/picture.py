@@ -109,8 +109,9 @@ class Curve(Part):
             if not np.all(hidden):
                 axes.plot(x * front, y * front, **style)
         if self.head:
-            last = (x[[-8, -1]], y[[-8, -1]])
-            _head(axes, *last, self.color, 0.8, self.z + 0.1, (0.16, 0.32), "-|>")
+            start, tip = ((x[k], y[k]) for k in (-8, -1))
+            head = Arrow(tip, "", self.color, 0.8, start, z=self.z + 0.1, size=(0.16, 0.32))
+            head.on(axes, view)
 
 
 def on_sphere(points: Place, color: str, **style: Any) -> Curve:
@@ -186,36 +187,11 @@ class Words(Part):
     def on(self, axes: Axes, view: View) -> None:
         """Draws them."""
         x, y, _ = seen(self.at, view)
-        axes.annotate(
-            self.words,
-            (float(x), float(y)),
-            xytext=self.shift,
-            textcoords="offset points",
-            annotation_clip=False,
-            path_effects=[withStroke(linewidth=2.0, foreground="white")],
-            color=self.color,
-            ha=self.ha,
-            va=self.va,
-            fontsize=self.size,
-            zorder=self.z,
-        )
-
-
-def _head(
-    axes: Axes,
-    x: ArrayLike,
-    y: ArrayLike,
-    color: str,
-    lw: float,
-    z: float,
-    size: tuple[float, float],
-    ends: str,
-) -> None:
-    (x0, x1), (y0, y1) = np.asarray(x), np.asarray(y)
-    style = f"{ends},head_width={size[0]},head_length={size[1]}"
-    about = {"arrowstyle": style, "shrinkA": 0, "shrinkB": 0, "joinstyle": "miter"}
-    about |= {"color": color, "lw": lw}
-    axes.annotate("", (x1, y1), xytext=(x0, y0), arrowprops=about, zorder=z)
+        style: dict[str, Any] = {"color": self.color, "ha": self.ha, "va": self.va}
+        style |= {"path_effects": [withStroke(linewidth=2.0, foreground="white")]}
+        style |= {"textcoords": "offset points", "fontsize": self.size, "zorder": self.z}
+        place = float(x), float(y)
+        axes.annotate(self.words, place, self.shift, annotation_clip=False, **style)
 
 
 @dataclass(frozen=True, eq=False)
@@ -247,7 +223,10 @@ class Arrow(Part):
             sign = Mark(self.start, self.color, 5, inner, z=self.z + 0.1, width=self.lw)
             draw(axes, (sight, sign), view)
         elif length:
-            _head(axes, (x0, x1), (y0, y1), self.color, self.lw, self.z, self.size, self.ends)
+            head = f"{self.ends},head_width={self.size[0]},head_length={self.size[1]}"
+            style = {"arrowstyle": head, "shrinkA": 0, "shrinkB": 0, "joinstyle": "miter"}
+            style |= {"color": self.color, "lw": self.lw}
+            axes.annotate("", (x1, y1), (x0, y0), arrowprops=style, zorder=self.z)
         if self.words:
             away = 9 / (length or 1.0)
             shift = (away * across, away * up) if self.shift is None else self.shift

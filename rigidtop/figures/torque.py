@@ -69,7 +69,7 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     if np.any(turning):
         beyond = end + 0.42 * turning
         parts.append(pen.Arrow(beyond, "", look.TORQUE, 1.2, start=end))
-        parts.append(pen.Words(beyond, look.L_DOT, (2, 4), look.TORQUE, "center"))
+        parts.append(pen.Words(beyond, look.L_DOT, (2, 4), look.TORQUE, "center", z=7))
     pen.draw(axes, parts, VIEW)
     pen.paper(axes, (-1.45, 1.7), (min(-0.3, 1.6 * e3[2] - 0.4), 1.92))
 
