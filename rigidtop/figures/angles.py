@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 from scipy.spatial.transform import Rotation
 
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.space import Scene, View, paper
-from rigidtop.figures.style import Floats, canvas, degrees, spoken
+from rigidtop.figures.space import View
+from rigidtop.figures.style import Canvas, Floats, canvas
 from rigidtop.parameters import Parameter
 
 VIEW = View(azimuth=0.36, elevation=0.4)
@@ -57,29 +57,24 @@ def draw_rotation(
     `turned` says about which unit vector of space, by how much (rad), which of the three axes
     shows the angle, and the angle's name.
     """
-    scene = Scene(axes, VIEW)
     axis, angle, shown, symbol = turned
-    stripe = np.array([-0.18 * axis, 0.98 * axis])
-    scene.line(stripe, color=TURNED_ABOUT, lw=5, solid_capstyle="round", zorder=1)
-    for k, words in enumerate(look.SPACE):
-        scene.arrow(1.34 * np.eye(3)[k], words, color=look.FIRST, lw=0.8, zorder=2)
     old, new = before.as_matrix().T, after.as_matrix().T
-    for k in range(3):
-        if np.linalg.norm(old[k] - new[k]) > 1e-9:
-            ends = np.array([np.zeros(3), old[k]])
-            scene.line(ends, color=look.AXIS, lw=1.2, ls=look.HIDDEN, zorder=3)
-        scene.arrow(new[k], names[k], color=look.AXIS, lw=1.6, zorder=4)
     # The way of one axis, at a part of its length, with a head where it ends.
     way = Rotation.from_rotvec(np.linspace(0, angle, 61)[:, None] * axis).apply(0.62 * old[shown])
-    scene.line(way, color=ANGLE, lw=1.4, zorder=4)
-    if abs(angle) > 0.1:
-        scene.head(way[[-6, -1]], width=0.16, length=0.3, color=ANGLE, lw=0.8, zorder=4.5)
     x, y, _ = VIEW(way[[0, 30, 60]])
     narrow = math.hypot(x[2] - x[0], y[2] - y[0]) < NARROW
     at, away = (0, (x[0] - x[2], y[0] - y[2])) if narrow else (30, (x[1], y[1]))
-    shift = 9 / (math.hypot(*away) or 1.0) * np.array(away)
-    style = {"ha": "center", "va": "center", "fontsize": 11}
-    scene.words(way[at], symbol, (float(shift[0]), float(shift[1])), color=ANGLE, **style)
+    right, up = 9 / (math.hypot(*away) or 1.0) * np.array(away)
+    moved = [each for each, there in zip(old, new, strict=True) if not np.allclose(each, there)]
+    parts = [
+        pen.Curve([-0.18 * axis, 0.98 * axis], TURNED_ABOUT, 5, z=1, cap="round"),
+        *pen.axes_of_space(1.34, color=look.FIRST, lw=0.8, z=2),
+        *(pen.Curve([pen.ORIGIN, each], look.AXIS, ls=look.HIDDEN, z=3) for each in moved),
+        *(pen.Arrow(tip, name, look.AXIS, 1.6, z=4) for tip, name in zip(new, names, strict=True)),
+        pen.Curve(way, ANGLE, 1.4, z=4, head=abs(angle) > 0.1),
+        pen.Words(way[at], symbol, (right, up), ANGLE, "center", "center", 11),
+    ]
+    pen.draw(axes, parts, VIEW)
 
 
 def turns(sequence: str, *angles: float) -> list[tuple[Floats, float, int, str]]:
@@ -100,28 +95,8 @@ def _draw(sequence: str, *angles: float) -> Canvas:
     for i, (axes, turned) in enumerate(all_turned):
         draw_rotation(axes, attitudes[i], attitudes[i + 1], turned, NAMES[sequence][i])
         axes.set_title(f"({'i' * (i + 1)})  {turned[3]} about {about[i]}", color=look.INK)
-        paper(axes, (-1.1, 1.42), (-1.05, 1.5))
+        pen.paper(axes, (-1.1, 1.42), (-1.05, 1.5))
     return drawn
-
-
-def _caption(_: str, *angles: float) -> str:
-    phi, theta, psi = map(degrees, angles)
-    return (
-        f"Euler's angles $φ$, $θ$ and $ψ$, here {phi}, {theta} and {psi}: three rotations, "
-        "each about the axis on the broad stripe, from $x̂ŷẑ$ (thin) to $e₁e₂e₃$. The "
-        "axes that move are dashed before and solid after the step."
-    )
-
-
-def _in_words(sequence: str, *angles: float) -> str:
-    by = [spoken(math.degrees(angle)) for angle in angles]
-    nodes = f"e{NODES[sequence] + 1} prime"
-    return (
-        "Three drawings of a space-fixed frame x, y, z and of a body frame that is turned, first "
-        f"by phi, {by[0]} degrees, about z, which gives {nodes}; then by theta, {by[1]} degrees, "
-        f"about {nodes}, which brings e3 where it stays; last by psi, {by[2]} degrees, about e3, "
-        "which brings e1 and e2 to their final places."
-    )
 
 
 def euler_angles(sequence: str) -> Drawing:
@@ -131,8 +106,9 @@ def euler_angles(sequence: str) -> Drawing:
     """
     quarter = math.pi / 2 if sequence == "zxz" else 0.0
 
-    def counted(of: Callable[..., Any]) -> Callable[..., Any]:
-        return lambda phi, theta, psi: of(sequence, phi + quarter, theta, psi - quarter)
+    def of_notes(phi: float, psi: float, **_: float) -> dict[str, Any]:
+        nodes = f"e{NODES[sequence] + 1} prime"
+        return {"first": phi + quarter, "last": psi - quarter, "nodes": nodes}
 
     def angle(name: str, degrees: float, about: str, shift: float) -> Parameter:
         value = math.radians(degrees) + shift
@@ -147,9 +123,15 @@ def euler_angles(sequence: str) -> Drawing:
             replace(angle("theta", 45, "second, about $e₂′$", 0.0), least=0, most=math.pi),
             angle("psi", 45, "third, about $e₃$", quarter),
         ),
-        counted(_draw),
-        counted(_caption),
-        counted(_in_words),
+        lambda phi, theta, psi: _draw(sequence, phi + quarter, theta, psi - quarter),
+        "Euler's angles $φ$, $θ$ and $ψ$, here {first:°}, {theta:°} and {last:°}: three rotations, "
+        "each about the axis on the broad stripe, from $x̂ŷẑ$ (thin) to $e₁e₂e₃$. The axes that "
+        "move are dashed before and solid after the step.",
+        "Three drawings of a space-fixed frame x, y, z and of a body frame that is turned, first "
+        "by phi, {first:°} degrees, about z, which gives {nodes}; then by theta, {theta:°} "
+        "degrees, about {nodes}, which brings e3 where it stays; last by psi, {last:°} degrees, "
+        "about e3, which brings e1 and e2 to their final places.",
+        of_notes,
         turned=euler_angles,
     )
 

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from matplotlib.axes import Axes
 
 from rigidtop.errors import RigidtopError
-from rigidtop.figures.style import degrees, said
 from rigidtop.motion.rigid import SymmetricTop
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
@@ -26,6 +25,7 @@ TOP = (
 """A heavy top: MgR = 0.981 J, and about the centre of mass 0.01 kg m² each way."""
 
 THETA = Parameter("theta", math.pi / 3, "$θ$ at the start", "rad", least=0, most=math.pi)
+RATE = Parameter("phi_dot", 0.0, "$φ̇$ at the start", "rad/s")
 SPIN = Parameter("omega3", 40.0, "$ω₃$", "rad/s", above=0)
 
 
@@ -42,17 +42,14 @@ def of_top(told: Callable[..., T]) -> Callable[..., T]:
     return of_all
 
 
-def top_in_words(top: SymmetricTop) -> str:
-    """λ₁ = …, λ₃ = …, MgR = …."""
-    return (
-        f"$λ₁ = {said(top.lambda1)}$ kg m², $λ₃ = {said(top.lambda3)}$ kg m² and "
-        f"$MgR = {said(top.M * top.g * top.R)}$ J"
-    )
-
-
-def start_in_words(theta: float, omega3: float) -> str:
-    """θ = … and ω₃ = …."""
-    return f"$θ = {degrees(theta)}$ and $ω₃ = {said(omega3)}$ rad/s"
+def facts_of(top: SymmetricTop, **more: Any) -> dict[str, Any]:
+    """What captions say of a top, in {top}, of how it starts, in {start}, and `more`."""
+    return {
+        "MgR": top.M * top.g * top.R,
+        "top": "$λ₁ = {lambda1}$ kg m², $λ₃ = {lambda3}$ kg m² and $MgR = {MgR}$ J",
+        "start": "$θ = {theta:°}$ and $ω₃ = {omega3}$ rad/s",
+        **more,
+    }
 
 
 def vertical(theta: float) -> bool:
@@ -68,9 +65,8 @@ def has_phi(theta: float, phi_dot: float) -> None:
         )
 
 
-def rates_in_words(theta: float, phi_dot: float, theta_dot: float = 0.0) -> str:
-    """θ̇ = … and φ̇ = …; without φ̇ where φ has no meaning."""
+def rates_in_words(theta: float, theta_dot: float = 0.0) -> str:
+    """θ̇ = … and φ̇ = …, for a caption; without φ̇ where φ has no meaning."""
     if vertical(theta):
-        unit = " rad/s" if theta_dot else ""
-        return f"$θ̇ = {said(theta_dot)}{unit}$, where $φ$ has no meaning"
-    return f"$θ̇ = {said(theta_dot)}$ and $φ̇ = {said(phi_dot)}$ rad/s"
+        return f"$θ̇ = {{theta_dot}}${' rad/s' if theta_dot else ''}, where $φ$ has no meaning"
+    return "$θ̇ = {theta_dot}$ and $φ̇ = {phi_dot}$ rad/s"

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, Film, one
-from rigidtop.figures.space import Scene, View, circle, paper, unit
-from rigidtop.figures.style import Floats, canvas, said, spoken
+from rigidtop.figures.space import UPRIGHT, View, circle, ring, unit
+from rigidtop.figures.style import Canvas, Floats, canvas
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 from rigidtop.parameters import Parameter
@@ -50,36 +51,29 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
 
     In the body frame ω and L go round e₃; in the space frame ω and e₃ go round L.
     """
-    scene = Scene(axes)
     directions = three_directions(motion, space=space)
     upright = directions[2 if space else 0]
-    drawn = (
-        (look.E3, look.AXIS, 1.0),
-        (look.OMEGA_VEC, look.OMEGA, 1.06),
-        (look.L_VEC, look.MOMENTUM, 1.18),
-    )
-    for direction, (_, color, length) in zip(directions, drawn, strict=True):
-        angle = math.atan2(
-            float(np.linalg.norm(np.cross(upright, direction))), float(upright @ direction)
-        )
+    parts: list[pen.Part] = []
+    for direction, words, color, length, alpha in zip(
+        directions,
+        (look.E3, look.OMEGA_VEC, look.L_VEC),
+        (look.AXIS, look.OMEGA, look.MOMENTUM),
+        (1.0, 1.06, 1.18),
+        (0.05, 0.12, 0.05),
+        strict=True,
+    ):
+        angle = angle_between(upright, direction)
         if angle > 1e-9:
-            rim = circle(upright, angle, length=length)
-            scene.ring(rim, color=color, lw=0.9)
-            shade(scene, rim, color, 0.12 if color == look.OMEGA else 0.05)
-    for direction, (words, color, length) in zip(directions, drawn, strict=True):
+            parts += pen.cone_mantle(circle(upright, angle, length=length), color, alpha)
         high = 1.35 if direction is upright else length  # its name above the rims
-        scene.arrow(high * direction, words, color=color, lw=1.5)
-    paper(axes, (-1.0, 1.0), (-0.03, 1.4))
+        parts.append(pen.Arrow(high * direction, words, color, 1.5))
+    pen.draw(axes, parts)
+    pen.paper(axes, (-1.0, 1.0), (-0.03, 1.4))
 
 
-def shade(scene: Scene, rim: Floats, color: str, alpha: float) -> None:
-    """The mantle of a cone from the origin to its rim (N, 3), with its two edges."""
-    across, up, _ = scene.view(rim)
-    scene.face([*rim, np.zeros(3)], color=color, alpha=alpha, lw=0, zorder=1)
-    turn = np.unwrap(np.arctan2(across, up))
-    if np.ptp(turn) < math.pi:  # else the eye looks into it, and there is no edge
-        for i in (int(np.argmax(turn)), int(np.argmin(turn))):
-            scene.line([np.zeros(3), rim[i]], color=color, lw=0.6, alpha=0.7, zorder=2)
+def angle_between(first: Floats, second: Floats) -> float:
+    """Of two unit vectors (rad)."""
+    return math.atan2(float(np.linalg.norm(np.cross(first, second))), float(first @ second))
 
 
 def _cones(**values: float) -> Canvas:
@@ -103,32 +97,13 @@ def _relation(lambda1: float, lambda3: float) -> str:
     return ">" if lambda1 > lambda3 else "<" if lambda1 < lambda3 else "="
 
 
-def _shape(lambda1: float, lambda3: float) -> str:
-    return f"$λ₁ = {said(lambda1)} {_relation(lambda1, lambda3)} λ₃ = {said(lambda3)}$ kg m²"
-
-
-def _cones_caption(lambda1: float, lambda3: float, omega_0: float, omega3: float) -> str:
-    in_body, in_space = _rates(free_motion(lambda1, lambda3, omega_0, omega3))
-    return (
-        f"The cones of a free symmetric body with {_shape(lambda1, lambda3)}, $ω₀ = "
-        f"{said(omega_0)}$ and $ω₃ = {said(omega3)}$ rad/s. Left: in the body frame $𝛚$ and $𝐋$ go "
-        f"round $-e₃$ at $Ω_b = {said(in_body)}$ rad/s. Right: in the space frame $𝐋$ stands "
-        f"still, and the plane of the three turns about it at $Ω_s = L/λ₁ = "
-        f"{said(in_space)}$ rad/s."
-    )
-
-
-def _cones_in_words(lambda1: float, lambda3: float, omega_0: float, omega3: float) -> str:
-    motion = free_motion(lambda1, lambda3, omega_0, omega3)
-    e3, omega, momentum = three_directions(motion, space=False)
-    tilt = math.degrees(math.acos(min(1.0, float(e3 @ omega))))
-    lean = math.degrees(math.acos(min(1.0, float(e3 @ momentum))))
-    return (
-        "Two drawings of three arrows from one point, always in one plane. In the body frame the "
-        f"arrow e3 stands upright and the tips of omega and of L, {spoken(tilt)} and "
-        f"{spoken(lean)} degrees from it, go round it on circles. In the space frame L stands "
-        "upright, omega and e3 go round it."
-    )
+def _cones_facts(lambda1: float, lambda3: float, **omega: float) -> dict[str, Any]:
+    motion = free_motion(lambda1, lambda3, **omega)
+    e3, *others = three_directions(motion, space=False)
+    in_body, in_space = _rates(motion)
+    tilt, lean = (angle_between(e3, other) for other in others)
+    facts = {"relation": _relation(lambda1, lambda3), "tilt": tilt, "lean": lean}
+    return {**facts, "in_body": in_body, "in_space": in_space}
 
 
 CONES = Drawing(
@@ -137,8 +112,14 @@ CONES = Drawing(
     "3.2.3",
     BODY,
     _cones,
-    _cones_caption,
-    _cones_in_words,
+    "The cones of a free symmetric body with $λ₁ = {lambda1} {relation} λ₃ = {lambda3}$ kg m², $ω₀ "
+    "= {omega_0}$ and $ω₃ = {omega3}$ rad/s. Left: in the body frame $𝛚$ and $𝐋$ go round $-e₃$ at "
+    "$Ω_b = {in_body}$ rad/s. Right: in the space frame $𝐋$ stands still, and the plane of the "
+    "three turns about it at $Ω_s = L/λ₁ = {in_space}$ rad/s.",
+    "Two drawings of three arrows from one point, always in one plane. In the body frame the arrow "
+    "e3 stands upright and the tips of omega and of L, {tilt:°} and {lean:°} degrees from it, go "
+    "round it on circles. In the space frame L stands upright, omega and e3 go round it.",
+    _cones_facts,
     motions=one(free_motion),
 )
 
@@ -155,44 +136,38 @@ def draw_rolling_cones(axes: Axes, motion: Motion, t: float = 0.0) -> None:
     They touch along ω, which is the line that is at rest for a moment; L is upright.  Both have
     the length 1 along their mantles.
     """
-    scene = Scene(axes, View(elevation=0.34))
-    run = motion.exact([0.0, t])
+    view, run = View(elevation=0.34), motion.exact([0.0, t])
     e3, _, momentum = three_directions(motion, space=True)
     # From the space frame of the motion to that of the paper, in which L is upright.
-    start_e3, start_momentum = run.e3[0], unit(run.angular_momentum[0])
-    to_paper = _frame(e3, momentum).T @ _frame(start_e3, start_momentum)
-    axis = to_paper @ run.e3[1]
-    contact = to_paper @ unit(run.omega_space[1])
-    momentum = np.array([0.0, 0.0, 1.0])
-    first = to_paper @ run.rotation.as_matrix()[1][:, 0]
-    space, body = angle_between(contact, momentum), angle_between(contact, axis)
-    inside = angle_between(axis, momentum) < body
-    around = np.linspace(0, 2 * math.pi, STRIPES, endpoint=False)[:, None]
-    second = np.cross(axis, first)
-    body_lines = math.cos(body) * axis + math.sin(body) * (
-        np.cos(around) * first + np.sin(around) * second
-    )
-    space_lines = circle(momentum, space, STRIPES + 1)[:-1]
-    for apex, half, lines, color, above in (
-        (momentum, space, space_lines, look.OMEGA, 2.0 if inside else 1.0),
-        (axis, body, body_lines, look.AXIS, 1.0 if inside else 2.0),
-    ):
-        rim = circle(apex, half)
-        shade(scene, rim, color, 0.13)
-        scene.ring(rim, color=color, lw=1.0, zorder=2 + above)
-        middle = scene.view(rim)[2].mean()
-        for line in lines:
-            alpha = 0.6 if scene.view(line)[2] >= middle else 0.2
-            scene.line([np.zeros(3), line], color=color, lw=0.6, alpha=alpha, zorder=2)
-    scene.arrow(1.25 * axis, look.E3, color=look.AXIS, lw=1.3)
-    scene.arrow(1.32 * momentum, look.L_VEC, color=look.MOMENTUM, lw=1.3)
-    aside = math.copysign(10, scene.view(contact)[0]), 0.0  # away from the name of L
-    scene.arrow(1.2 * contact, look.OMEGA_VEC, shift=aside, color=look.OMEGA, lw=1.9, zorder=6)
+    start = _frame(run.e3[0], unit(run.angular_momentum[0]))
+    to_paper = _frame(e3, momentum).T @ start
+    axis, contact = to_paper @ run.e3[1], to_paper @ unit(run.omega_space[1])
+    mark = to_paper @ run.rotation.as_matrix()[1][:, 0]
+    space, body = angle_between(contact, UPRIGHT), angle_between(contact, axis)
+    inside = angle_between(axis, UPRIGHT) < body
+    aside = math.copysign(10, view(contact)[0]), 0.0  # away from the name of L
+    parts: list[pen.Part] = [
+        *_striped(view, UPRIGHT, space, circle(UPRIGHT, space)[0], look.OMEGA, 4.0 - (not inside)),
+        *_striped(view, axis, body, mark, look.AXIS, 4.0 - inside),
+        pen.Arrow(1.25 * axis, look.E3, look.AXIS, 1.3),
+        pen.Arrow(1.32 * UPRIGHT, look.L_VEC, look.MOMENTUM, 1.3),
+        pen.Arrow(1.2 * contact, look.OMEGA_VEC, look.OMEGA, 1.9, shift=aside, z=6),
+    ]
+    pen.draw(axes, parts, view)
 
 
-def angle_between(first: Floats, second: Floats) -> float:
-    """Of two unit vectors (rad)."""
-    return math.atan2(float(np.linalg.norm(np.cross(first, second))), float(first @ second))
+def _striped(
+    view: View, axis: Floats, half: float, mark: Floats, color: str, z: float
+) -> list[pen.Part]:
+    """A cone of this half angle, with lines on it, the first on the side of a `mark`."""
+    centre, radius = math.cos(half) * axis, math.sin(half)
+    ends = ring(centre, axis, radius, mark, count=STRIPES + 1)[:-1]
+    far = view(ends)[2] < float(view(centre)[2])
+    stripes = [
+        pen.Curve([pen.ORIGIN, end], color, 0.6, alpha=0.2 if behind else 0.6)
+        for end, behind in zip(ends, far, strict=True)
+    ]
+    return [*pen.cone_mantle(circle(axis, half), color, 0.13, z), *stripes]
 
 
 def _frame(e3: Floats, momentum: Floats) -> Floats:
@@ -225,7 +200,7 @@ def _rolling_cones(low: float, **values: float) -> Film:
         for each, motion in zip(axes, motions, strict=True):
             each.clear()
             draw_rolling_cones(each, motion, share * 2 * math.pi / motion.mean_precession)
-            paper(each, (-1.3, 1.3), (low, 1.45))
+            pen.paper(each, (-1.3, 1.3), (low, 1.45))
             lambda1, _, lambda3 = motion.body.moments
             each.set_title(rf"$\lambda_1 {_relation(lambda1, lambda3)} \lambda_3$")
 
@@ -239,40 +214,26 @@ def _half_angles(motion: Motion) -> tuple[float, float]:
     return angle_between(e3, omega), angle_between(momentum, omega)
 
 
-def _touching(motion: Motion) -> str:
+def _touching(motion: Motion, side: str) -> str:
     lambda1, _, lambda3 = motion.body.moments
-    body, space = (math.degrees(angle) for angle in _half_angles(motion))
     if lambda1 == lambda3:
         return "$𝛚$, $𝐋$ and the space cone are one line"
     how = "rolls on the outside of" if lambda1 > lambda3 else "rolls with its inside on"
     return (
-        f"the body cone, of half angle ${said(body)}°$, {how} the space cone, of ${said(space)}°$, "
-        f"and goes round $𝐋$ at $Ω_s = {said(_rates(motion)[1])}$ rad/s"
+        f"the body cone, of half angle ${{body_{side}}}°$, {how} the space cone, of "
+        f"${{space_{side}}}°$, and goes round $𝐋$ at $Ω_s = {{rate_{side}}}$ rad/s"
     )
 
 
-def _rolling_caption(**values: float) -> str:
-    left, right = _rolling(**values)
-    return (
-        "The body cone (red, about $e₃$) rolls without slipping on the space cone (blue, about "
-        "$𝐋$): they touch along $𝛚$. Left, "
-        f"{_shape(values['lambda1'], values['lambda3'])}: {_touching(left)}. Right, "
-        f"{_shape(values['lambda1'], values['lambda3_right'])}: {_touching(right)}. $ω₀ = "
-        f"{said(values['omega_0'])}$ and $ω₃ = {said(values['omega3'])}$ rad/s."
-    )
-
-
-def _rolling_in_words(**values: float) -> str:
-    parts = []
-    for motion in _rolling(**values):
-        body, space = (spoken(math.degrees(angle)) for angle in _half_angles(motion))
-        parts.append(f"a body cone of half angle {body} and a space cone of {space} degrees")
-    return (
-        "Two pairs of cones with their tips at one point, which touch along the arrow omega: "
-        f"{'; '.join(parts)}. The space cone stands upright about L, the body cone leans about e3. "
-        "Where lambda1 is larger than lambda3 they touch from outside, else the body cone "
-        "contains the space cone."
-    )
+def _rolling_facts(**values: float) -> dict[str, Any]:
+    facts: dict[str, Any] = {}
+    for side, motion in zip(("left", "right"), _rolling(**values), strict=True):
+        body, space = np.degrees(_half_angles(motion))
+        lambda1, _, lambda3 = motion.body.moments
+        facts |= {f"body_{side}": body, f"space_{side}": space, f"rate_{side}": _rates(motion)[1]}
+        facts |= {f"relation_{side}": _relation(lambda1, lambda3)}
+        facts |= {f"touching_{side}": _touching(motion, side)}
+    return facts
 
 
 ROLLING_CONES = Drawing(
@@ -287,8 +248,16 @@ ROLLING_CONES = Drawing(
         BODY[3],
     ),
     _draw_rolling,
-    _rolling_caption,
-    _rolling_in_words,
+    "The body cone (red, about $e₃$) rolls without slipping on the space cone (blue, about $𝐋$): "
+    "they touch along $𝛚$. Left, $λ₁ = {lambda1} {relation_left} λ₃ = {lambda3}$ kg m²: "
+    "{touching_left}. Right, $λ₁ = {lambda1} {relation_right} λ₃ = {lambda3_right}$ kg m²: "
+    "{touching_right}. $ω₀ = {omega_0}$ and $ω₃ = {omega3}$ rad/s.",
+    "Two pairs of cones with their tips at one point, which touch along the arrow omega: a body "
+    "cone of half angle {body_left} and a space cone of {space_left} degrees; a body cone of half "
+    "angle {body_right} and a space cone of {space_right} degrees. The space cone stands upright "
+    "about L, the body cone leans about e3. Where lambda1 is larger than lambda3 they touch from "
+    "outside, else the body cone contains the space cone.",
+    _rolling_facts,
     _rolling_film,
     motions=_rolling,
 )

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from io import BytesIO, StringIO
+from string import Formatter
 from typing import Any
 
 import matplotlib
@@ -15,6 +17,7 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
+from rigidtop.figures import style as look
 from rigidtop.figures.style import STYLE
 from rigidtop.motion.motion import Motion
 from rigidtop.parameters import Parameter, settings
@@ -49,12 +52,11 @@ class Film:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A figure.  `draw`, `caption`, `alternative`, `animate` and `motions` take its parameters by
-    name.
+    """A figure.  `draw`, `facts`, `animate` and `motions` take its parameters by name.
 
-    `section` is the section of the notes that it closes in the lecture; "" for none.  `alternative`
-    says in ASCII what is to be seen.  No number of a caption can disagree with the picture: both
-    are computed from the same parameters.
+    `section` is the section of the notes that it closes in the lecture; "" for none.  The caption
+    and the `spoken` words, in ASCII, name in braces the parameters and the `facts`, which are
+    computed from them: no number of a caption can disagree with the picture.
 
     All raise RigidtopError, in one line, for parameters that no such body or motion has.
     """
@@ -64,8 +66,9 @@ class Drawing:
     section: str
     parameters: tuple[Parameter, ...]
     draw: Callable[..., Canvas]
-    caption: Callable[..., str]
-    alternative: Callable[..., str]
+    printed: str
+    spoken: str
+    facts: Callable[..., Mapping[str, Any]] = lambda **values: {}
     animate: Callable[..., Film] | None = None
     motions: Callable[..., Sequence[Motion]] | None = None
     """Those that it shows, to be played."""
@@ -73,10 +76,49 @@ class Drawing:
     """Other settings for who is to find out, in an exercise, what it shows at the usual ones."""
     turned: Callable[[str], Drawing] | None = None
     """The same for another sequence of Euler angles, "zyz" or "zxz", where that is its matter."""
+    wording: Callable[[str], str] = str
+    """What the caption is in another notation."""
+
+    def caption(self, **values: float) -> str:
+        """What stands below it, at these values of its parameters."""
+        facts = {**self.facts(**values), **values}
+        return self.wording(Telling(facts).format(self.printed))
+
+    def alternative(self, **values: float) -> str:
+        """What is to be seen, in ASCII."""
+        return Telling({**self.facts(**values), **values}, aloud=True).format(self.spoken)
 
     def values(self, given: Mapping[str, float] | None = None) -> dict[str, float]:
         """Every parameter's value, those `given` checked against their ranges."""
         return settings(self.parameters, given or {})
+
+
+class Telling(Formatter):
+    """Fills words with numbers, as captions print them or as a screen reader says them `aloud`.
+
+    {x} is a number, {x:4} one of four digits, {x:°} an angle (rad) in degrees, {x:%} a share in per
+    cent.  What is itself words may name others.
+
+    >>> Telling({"angle": 0.5, "where": "at {angle:°}"}).format("It is {where}.")
+    'It is at 28.6°.'
+    """
+
+    def __init__(self, facts: Mapping[str, Any], *, aloud: bool = False) -> None:
+        self.facts, self.aloud = facts, aloud
+
+    def get_value(self, key: int | str, args: Sequence[Any], kwargs: Mapping[str, Any]) -> Any:
+        """A fact by its name."""
+        return self.facts[str(key)]
+
+    def format_field(self, value: Any, spec: str) -> str:
+        """A number, or words with the numbers that they name."""
+        if isinstance(value, str):
+            return self.format(value)
+        if spec == "°":
+            return look.spoken(math.degrees(value)) if self.aloud else look.degrees(value)
+        value = 100 * value if spec == "%" else value
+        digits = int(spec) if spec.isdecimal() else 3
+        return look.spoken(value) if self.aloud else look.said(value, digits)
 
 
 def one(motion: Callable[..., Motion]) -> Callable[..., Sequence[Motion]]:
@@ -93,12 +135,8 @@ def rendered(drawing: Drawing, kind: str, given: Mapping[str, float] | None = No
 
 
 def both(drawing: Drawing, given: Mapping[str, float] | None = None) -> tuple[bytes, bytes]:
-    """A figure of a document as PDF and as SVG, drawn and laid out once, as wide as is drawn.
-
-    The letters of the PDF are outlines (Type 3): to cut a font for each figure takes longer than
-    all the rest of it.
-    """
-    paper, page = _saved(drawing, given, "pdf", "svg", wide=False, fonttype=3)
+    """A figure of a document as PDF and as SVG, drawn and laid out once, as wide as is drawn."""
+    paper, page = _saved(drawing, given, "pdf", "svg", wide=False)
     return paper, page
 
 
@@ -107,10 +145,9 @@ def _saved(
     given: Mapping[str, float] | None,
     *kinds: str,
     wide: bool = True,
-    fonttype: int = 42,
 ) -> list[bytes]:
     """A figure as each of the kinds, "svg" last, which has no white behind it."""
-    with matplotlib.rc_context({**STYLE, "pdf.fonttype": fonttype}):
+    with matplotlib.rc_context(STYLE):
         figure = drawing.draw(**drawing.values(given))
         for name in figure.findobj(Text):
             for ours, theirs in MATHTEXT:

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
+from itertools import product
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 
 from rigidtop.derivations.exercises.eulers_equations import stable_axes
 from rigidtop.derivations.exercises.toutatis import toutatis
 from rigidtop.errors import RigidtopError
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.space import UPRIGHT, Scene, View, circle, paper, unit
-from rigidtop.figures.style import Floats, alone, canvas, legend_above, said, spoken
+from rigidtop.figures.space import UPRIGHT, View, circle, unit
+from rigidtop.figures.style import Canvas, Floats, canvas, said
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 from rigidtop.parameters import Parameter
@@ -30,43 +32,44 @@ LATE = 14.0
 # --- Polhodes on the energy ellipsoid ------------------------------------------------------------
 
 
+def _by_size(body: FreeBody) -> tuple[Any, tuple[float, float, float]]:
+    """Which axes have the smallest, the middle and the largest moment, and the moments."""
+    order = np.argsort(body.moments, kind="stable")
+    low, middle, high = (body.moments[k] for k in order)
+    return order, (low, middle, high)
+
+
 def on_separatrix(body: FreeBody) -> list[Motion]:
     """The motions with L² = 2Tλ of the middle axis, 2T = 1 J, that start between the other two.
 
     There are four, ± about either; none where two moments are equal.
     """
-    small, middle, large = np.argsort(body.moments, kind="stable")
-    low, mid, high = (body.moments[k] for k in (small, middle, large))
+    (small, _, large), (low, mid, high) = _by_size(body)
     if low == mid or mid == high:
         return []
-    found = []
-    for first in (1.0, -1.0):
-        for second in (1.0, -1.0):
-            omega = np.zeros(3)
-            omega[large] = first * math.sqrt((mid - low) / ((high - low) * high))
-            omega[small] = second * math.sqrt((high - mid) / ((high - low) * low))
-            found.append(body.motion(omega=tuple(omega)))
-    return found
+    starts = np.zeros((4, 3))
+    signs = np.array(list(product((1.0, -1.0), repeat=2)))
+    starts[:, large] = signs[:, 0] * math.sqrt((mid - low) / ((high - low) * high))
+    starts[:, small] = signs[:, 1] * math.sqrt((high - mid) / ((high - low) * low))
+    return [body.motion(omega=tuple(omega)) for omega in starts]
 
 
 def polhodes(body: FreeBody, between: int = 4) -> list[Motion]:
     """Motions with 2T = 1 J, evenly between the axes: on both sides of the separatrix, and ±."""
-    small, middle, large = np.argsort(body.moments, kind="stable")
-    low, mid, high = (body.moments[k] for k in (small, middle, large))
+    (small, _, large), (low, mid, high) = _by_size(body)
     edge = math.atan2(math.sqrt(high - mid), math.sqrt(mid - low))
-    around_large = [edge * (k + 0.5) / between for k in range(between)] if high > mid else []
-    rest = math.pi / 2 - edge
-    around_small = [math.pi / 2 - rest * (k + 0.5) / between for k in range(between) if mid > low]
-    found = []
+    shares = (np.arange(between) + 0.5) / between
+    around_large = edge * shares[: between * (high > mid)]
+    around_small = math.pi / 2 - (math.pi / 2 - edge) * shares[: between * (mid > low)]
+    motions = []
     for angles, axis in ((around_large, large), (around_small, small)):
-        for angle in angles:
-            for sign in (1.0, -1.0):
-                omega = np.zeros(3)
-                omega[large] = math.cos(angle) / math.sqrt(high)
-                omega[small] = math.sin(angle) / math.sqrt(low)
-                omega[axis] *= sign
-                found.append(body.motion(omega=tuple(omega)))
-    return found
+        for angle, sign in product(angles, (1.0, -1.0)):
+            omega = np.zeros(3)
+            omega[large] = math.cos(angle) / math.sqrt(high)
+            omega[small] = math.sin(angle) / math.sqrt(low)
+            omega[axis] *= sign
+            motions.append(body.motion(omega=tuple(omega)))
+    return motions
 
 
 def polhode(motion: Motion, samples: int = 1441) -> Floats:
@@ -84,79 +87,61 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
     moments = np.array(body.moments)
     if np.ptp(moments) == 0:
         raise RigidtopError("with three equal moments every ω is constant: there are no polhodes")
-    small, middle, large = np.argsort(moments, kind="stable")
+    (small, middle, large), _ = _by_size(body)
     # The middle axis comes towards the eye, the largest moment's is upright.
     turn = np.zeros((3, 3))
     turn[0, middle], turn[1, small], turn[2, large] = 1.0, 1.0, 1.0
     turn[1, small] = np.linalg.det(turn)
     view = View(azimuth=0.5 * turn[1, small], elevation=0.38)  # all three towards the eye
     eye = view.axes[2] @ turn
-    scale = math.sqrt(moments.min())  # the longest half axis is 1 on paper
+    to_paper = math.sqrt(moments.min()) * turn.T  # the longest half axis is 1 on paper
 
-    scene = Scene(axes, view)
+    def curve(points: Floats, color: str, lw: float) -> pen.Curve:
+        hidden = (points * moments) @ eye < 0
+        return pen.Curve(points @ to_paper, color, lw, z=3, hidden=hidden)
 
-    def draw(points: Floats, **style: object) -> None:
-        scene.curve(scale * points @ turn.T, (points * moments) @ eye < 0, **style)
-
-    rim = circle(unit(np.sqrt(1 / moments) * eye * moments), math.pi / 2) / np.sqrt(moments)
-    scene.face(scale * rim @ turn.T, fc="#f4f4f4", ec=look.GREY, lw=0.8, zorder=0)
-    for motion in polhodes(body):
-        path = polhode(motion)
-        draw(path, color=look.FIRST, lw=0.9)
+    rim = circle(unit(np.sqrt(moments) * eye), math.pi / 2) / np.sqrt(moments)
+    parts: list[pen.Part] = [pen.Face(rim @ to_paper, "#f4f4f4", look.GREY, 0.8, z=0)]
+    for path in map(polhode, polhodes(body)):
+        parts.append(curve(path, look.FIRST, 0.9))
         # A head on the closed curve, where it is nearest to the eye, says which way it goes.
         near = (path * moments) @ eye
         at = int(np.argmax(near[:-22]))
         if near[at] > 0:
-            ends = scale * path[[at, at + 21]] @ turn.T
-            scene.head(ends, width=0.12, length=0.3, color=look.FIRST, lw=0.5, zorder=4)
-    for motion in on_separatrix(body):
-        draw(polhode(motion), color=look.SECOND, lw=1.7)
-    for k in range(3):
-        end = np.zeros(3)
-        end[k] = 1 / math.sqrt(moments[k])
+            start, tip = path[[at, at + 21]] @ to_paper
+            parts.append(pen.Arrow(tip, "", look.FIRST, 0.5, start, z=4, size=(0.12, 0.3)))
+    parts += [curve(polhode(motion), look.SECOND, 1.7) for motion in on_separatrix(body)]
+    for k, end in enumerate(np.diag(1 / np.sqrt(moments))):
         for sign in (1.0, -1.0):
-            shown = sign * eye[k] > 0
-            color = look.INK if shown else "none"
-            scene.dot(scale * sign * turn @ end, ms=3.2, color=color, mec=look.INK, zorder=6)
+            fill = look.INK if sign * eye[k] > 0 else "none"
+            parts.append(pen.Mark(sign * end @ to_paper, size=3.2, fill=fill, z=6))
         longer = 0.5 if k == middle else 0.28
-        tip = end * (1 + longer * math.sqrt(moments[k] / moments.min()))
-        name, start = rf"$\omega_{k + 1}$", scale * turn @ end
-        scene.arrow(scale * turn @ tip, name, start=start, lw=1.0)
-    paper(axes, (-1.35, 1.35), (-0.98, 1.12))
+        tip = (end + longer * np.eye(3)[k] / math.sqrt(moments.min())) @ to_paper
+        parts.append(pen.Arrow(tip, rf"$\omega_{k + 1}$", lw=1.0, start=end @ to_paper))
+    pen.draw(axes, parts, view)
+    pen.paper(axes, (-1.35, 1.35), (-0.98, 1.12))
 
 
 def _three(lambda1: float, lambda2: float, lambda3: float) -> str:
-    values = ", ".join(said(moment, 4) for moment in (lambda1, lambda2, lambda3))
-    return f"$λ₁$, $λ₂$, $λ₃ = {values}$"
+    return f"$λ₁$, $λ₂$, $λ₃ = {', '.join(said(k, 4) for k in (lambda1, lambda2, lambda3))}$"
 
 
-def _polhodes_caption(**moments: float) -> str:
-    middle = int(np.argsort(list(moments.values()), kind="stable")[1])
-    index = "₁₂₃"[middle]
-    if on_separatrix(FreeBody(**moments)):
-        which = (
-            "about the axes of the largest and the smallest moment they are closed, and the "
-            f"separatrix (thick) through the middle axis $e{index}$ parts them"
-        )
-    else:
-        which = "two moments are equal, and all of them are circles"
-    return (
-        "Polhodes: the paths of $𝛚$ in the body frame on the energy ellipsoid "
-        f"$Σ λₖωₖ² = 2T$, for {_three(**moments)} kg m²; {which}. Dashed and open: behind."
-    )
-
-
-def _polhodes_in_words(**moments: float) -> str:
-    through = (
-        "Two thick curves cross at the ends of the middle axis, here omega"
-        f"{int(np.argsort(list(moments.values()), kind='stable')[1]) + 1}, and part the others."
-        if on_separatrix(FreeBody(**moments))
-        else "Two moments are equal, and every curve is a circle about the third axis."
-    )
-    return (
-        "An ellipsoid with closed curves around the ends of its shortest and of its longest half "
-        f"axis, with heads that say which way omega goes. {through}"
-    )
+def _polhodes_facts(**moments: float) -> dict[str, Any]:
+    body = FreeBody(**moments)
+    middle = int(_by_size(body)[0][1])
+    facts = {
+        "three": _three(**moments),
+        "which": "two moments are equal, and all of them are circles",
+        "through": "Two moments are equal, and every curve is a circle about the third axis.",
+    }
+    if not on_separatrix(body):
+        return facts
+    return facts | {
+        "which": "about the axes of the largest and the smallest moment they are closed, and the "
+        f"separatrix (thick) through the middle axis $e{'₁₂₃'[middle]}$ parts them",
+        "through": "Two thick curves cross at the ends of the middle axis, here omega"
+        f"{middle + 1}, and part the others.",
+    }
 
 
 POLHODES = Drawing(
@@ -164,9 +149,12 @@ POLHODES = Drawing(
     "Polhodes on the energy ellipsoid, with the separatrix",
     "3.2.2",
     MOMENTS,
-    alone(2.7, lambda axes, **moments: draw_polhodes(axes, FreeBody(**moments))),
-    _polhodes_caption,
-    _polhodes_in_words,
+    pen.alone(2.7, lambda axes, **moments: draw_polhodes(axes, FreeBody(**moments))),
+    "Polhodes: the paths of $𝛚$ in the body frame on the energy ellipsoid $Σ λₖωₖ² = 2T$, for "
+    "{three} kg m²; {which}. Dashed and open: behind.",
+    "An ellipsoid with closed curves around the ends of its shortest and of its longest half axis, "
+    "with heads that say which way omega goes. {through}",
+    _polhodes_facts,
 )
 
 # --- The flip about the middle axis --------------------------------------------------------------
@@ -176,14 +164,16 @@ FLIPS = 4
 
 def draw_rates(axes: Axes, motion: Motion, t: Floats) -> None:
     """ω₁, ω₂, ω₃ (rad/s) of a motion against the time (s)."""
-    omega = motion.exact(t).omega
-    for k, (color, style) in enumerate(
-        ((look.SECOND, look.DASH_DOT), (look.FIRST, "-"), (look.INK, look.DASHED))
-    ):
-        axes.plot(t, omega[:, k], color=color, ls=style, label=rf"$\omega_{k + 1}$", lw=1.2)
-    axes.axhline(0, color=look.RULE, lw=0.6, zorder=0)
+    styles = (look.SECOND, look.DASH_DOT), (look.FIRST, "-"), (look.INK, look.DASHED)
+    curves = [
+        pen.Curve((t, rate), color, ls=style, label=rf"$\omega_{k + 1}$")
+        for k, (rate, (color, style)) in enumerate(
+            zip(motion.exact(t).omega.T, styles, strict=True)
+        )
+    ]
+    pen.draw(axes, [*curves, pen.Rule(y=0.0, color=look.RULE, lw=0.6, ls="-")])
     axes.set(xlim=(t[0], t[-1]), xlabel="$t$  (s)", ylabel=r"$\omega_k$  (rad/s)")
-    legend_above(axes, ncols=3)
+    pen.legend_above(axes, ncols=3)
 
 
 def flip(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> Motion:
@@ -201,10 +191,9 @@ def flip(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: flo
 
 def _order(body: FreeBody) -> tuple[int, int]:
     """Where the least moment is among the three, and where the middle one."""
-    low, middle, high = sorted(body.moments)
+    (least, between, _), (low, middle, high) = _by_size(body)
     if low == middle or middle == high:
         raise RigidtopError("a flip wants three different moments: two of these are equal")
-    least, between, _ = np.argsort(body.moments)
     return int(least), int(between)
 
 
@@ -222,41 +211,30 @@ def share_near_ends(motion: Motion) -> float:
 def _draw_flip(axes: Axes, **values: float) -> None:
     motion = flip(**values)
     draw_rates(axes, motion, _flip_times(motion))
-    for k in range(FLIPS):
-        at = (k + 0.5) * motion.nutation_period
-        axes.axvline(at, color=look.GREY, lw=0.8, ls=look.DOTTED, zorder=0, label="_flip")
+    turns = (np.arange(FLIPS) + 0.5) * motion.nutation_period
+    pen.draw(axes, [pen.Rule(x=float(at), lw=0.8, label="_flip") for at in turns])
 
 
-def _flip_caption(lambda1: float, lambda2: float, lambda3: float, omega: float, kick: float) -> str:
-    motion = flip(lambda1, lambda2, lambda3, omega, kick)
-    least, middle = _order(FreeBody(lambda1, lambda2, lambda3))
-    return (
-        f"The flip about the middle axis $e{'₁₂₃'[middle]}$: $𝛚$ in the body frame for "
-        f"{_three(lambda1, lambda2, lambda3)} kg m², from {said(omega)} rad/s about that axis and "
-        f"{said(kick)} rad/s about $e{'₁₂₃'[least]}$. The body turns over every "
-        f"{said(motion.nutation_period)} s (dotted)."
+def _flip_facts(omega: float, kick: float, **moments: float) -> dict[str, Any]:
+    motion = flip(**moments, omega=omega, kick=kick)
+    least, middle = _order(FreeBody(**moments))
+    stays = (
+        "stays near its first value, {omega} radians per second, then falls to the opposite value "
+        "at once and stays there, again and again; the other two are near zero but for a pulse at "
+        "each turn"
     )
-
-
-def _flip_in_words(**values: float) -> str:
-    motion = flip(**values)
-    _, middle = _order(FreeBody(*motion.body.moments))
-    value = spoken(values["omega"])
-    if share_near_ends(motion) > 0.5:
-        course = (
-            f"stays near its first value, {value} radians per second, then falls to the opposite "
-            "value at once and stays there, again and again; the other two are near zero but for a "
-            "pulse at each turn"
-        )
-    else:
-        course = (
-            f"swings between its first value, {value} radians per second, and the opposite one; "
-            "the other two are never small together"
-        )
-    return (
-        f"The three components of omega against time. Omega {middle + 1} {course}. The time "
-        f"between turns is {spoken(motion.nutation_period)} seconds."
+    swings = (
+        "swings between its first value, {omega} radians per second, and the opposite one; the "
+        "other two are never small together"
     )
+    return {
+        "three": _three(**moments),
+        "least": f"$e{'₁₂₃'[least]}$",
+        "middle": f"$e{'₁₂₃'[middle]}$",
+        "number": middle + 1,
+        "period": motion.nutation_period,
+        "course": stays if share_near_ends(motion) > 0.5 else swings,
+    }
 
 
 FLIP = Drawing(
@@ -264,9 +242,13 @@ FLIP = Drawing(
     "The flip about the middle axis",
     "",
     stable_axes.parameters,
-    alone(2.35, _draw_flip),
-    _flip_caption,
-    _flip_in_words,
+    pen.alone(2.35, _draw_flip),
+    "The flip about the middle axis {middle}: $𝛚$ in the body frame for {three} kg m², from "
+    "{omega} rad/s about that axis and {kick} rad/s about {least}. The body turns over every "
+    "{period} s (dotted).",
+    "The three components of omega against time. Omega {number} {course}. The time between turns "
+    "is {period} seconds.",
+    _flip_facts,
     motions=one(flip),
 )
 
@@ -278,42 +260,46 @@ NUTATIONS = 5
 
 def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
     """L in the body frame, once round; e₃ and e₁ in space about L, some nutations long."""
-    body, space = (Scene(axes, View(azimuth=0.5)) for axes in (body_axes, space_axes))
+    view = View(azimuth=0.5)
     steady = motion.regime == "steady"
     period = 2 * motion.nutation_period
     if steady or not math.isfinite(period):
         period = 2 * LATE / math.hypot(*motion.omega)
-    moments = np.array(motion.body.moments)
-    in_body = motion.exact(np.linspace(0.0, period, 601)).omega * moments
+    in_body = motion.exact(np.linspace(0.0, period, 601)).omega * np.array(motion.body.moments)
     in_body /= np.linalg.norm(in_body, axis=1)[:, None]
-    body.sphere()
-    for k in range(3):
-        axis, name = np.eye(3)[k], rf"$\mathbf{{e}}_{k + 1}$"
+    parts: list[pen.Part] = [
+        pen.Sphere(),
+        pen.on_sphere(in_body, look.INK, lw=1.4, label="_momentum"),
+    ]
+    for k, axis in enumerate(np.eye(3)):
         shift = (-13.0, 2.0) if k == 0 else None  # beside the way of L of a long body
-        body.arrow(1.4 * axis, name, start=axis, shift=shift, color=look.AXIS, lw=1.0)
-    body.on_sphere(in_body, color=look.INK, lw=1.4, label="_momentum")
-    _mark(body, in_body[0], look.L_VEC)
+        name = rf"$\mathbf{{e}}_{k + 1}$"
+        parts.append(pen.Arrow(1.4 * axis, name, look.AXIS, 1.0, start=axis, shift=shift))
+    pen.draw(body_axes, [*parts, *_mark(view, in_body[0], look.L_VEC)], view)
+
     turn = 2 * math.pi / math.hypot(*motion.omega)  # once round, if ω is constant
     run = motion.exact(np.linspace(0.0, turn if steady else NUTATIONS * period / 2, 2401))
     momentum = unit(run.angular_momentum[0])
-    across = unit(np.cross(momentum, [1.0, 0.0, 0.0] if abs(momentum[0]) < 0.9 else [0, 1.0, 0]))
+    across = circle(momentum, math.pi / 2)[0]
     frame = np.array([across, np.cross(momentum, across), momentum])
-    path = run.e3 @ frame.T
-    space.sphere()
-    space.arrow(1.4 * UPRIGHT, look.L_VEC, start=UPRIGHT, lw=1.0)
-    first = run.rotation.as_matrix()[:, :, 0] @ frame.T
-    space.on_sphere(first, color=look.GREY, lw=0.8)
-    space.on_sphere(path, color=look.AXIS, lw=1.5, label="_axis")
-    _mark(space, first[0], r"$\mathbf{e}_1$")
-    _mark(space, path[0], r"$\mathbf{e}_3$")
+    first, third = (run.rotation.as_matrix()[:, :, k] @ frame.T for k in (0, 2))
+    parts = [
+        pen.Sphere(),
+        pen.Arrow(1.4 * UPRIGHT, look.L_VEC, lw=1.0, start=UPRIGHT),
+        pen.on_sphere(first, look.GREY, lw=0.8),
+        pen.on_sphere(third, look.AXIS, lw=1.5, label="_axis"),
+        *_mark(view, first[0], r"$\mathbf{e}_1$"),
+        *_mark(view, third[0], look.E3),
+    ]
+    pen.draw(space_axes, parts, view)
 
 
-def _mark(scene: Scene, point: Floats, words: str) -> None:
+def _mark(view: View, point: Floats, words: str) -> list[pen.Part]:
     """A dot with a name, open where it is behind."""
-    x, _, near = scene.view(point)
-    scene.dot(point, ms=4, color=look.INK if near > 0 else "white", mec=look.INK, zorder=6)
+    x, _, near = view(point)
     inwards = -12 * float(x), 5.0  # away from the outline of the sphere
-    scene.words(point, words, inwards, ha="center", color=look.INK, zorder=7)
+    fill = look.INK if near > 0 else "white"
+    return [pen.Mark(point, size=4, fill=fill, z=6), pen.Words(point, words, inwards, ha="center")]
 
 
 def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> Motion:
@@ -330,7 +316,7 @@ def _draw_tumbling(**values: float) -> Canvas:
     left.set_title("body frame")
     right.set_title("space frame")
     for axes in (left, right):
-        paper(axes, (-1.3, 1.3), (-1.08, 1.45))
+        pen.paper(axes, (-1.3, 1.3), (-1.08, 1.45))
     return drawn
 
 
@@ -383,41 +369,33 @@ def _tumbling_course(motion: Motion) -> tuple[str, str]:
     )
 
 
-def _tumbling_caption(omega1: float, omega2: float, omega3: float, **moments: float) -> str:
+NOT_CLOSED = "the tips of e3 and of e1 wind around the upright L, and their paths do not close"
+IN_WORDS = {
+    "steady": (
+        "L rests at a point",
+        "the tips of e3 and of e1 go round circles about the upright L, or rest on it",
+    ),
+    "separatrix": (
+        "the tip of L goes on a curve to the middle axis, which does not close",
+        NOT_CLOSED,
+    ),
+    "regular precession": (
+        "the tip of L goes round a circle about the axis of symmetry",
+        "the tips of e3 and of e1 go around the upright L; that of the axis of symmetry, where it "
+        "is one of them, goes round a circle",
+    ),
+}
+
+
+def _tumbling_facts(
+    omega1: float, omega2: float, omega3: float, **moments: float
+) -> dict[str, Any]:
     motion = _tumbling(omega1, omega2, omega3, **moments)
-    rates = ", ".join(map(said, motion.omega))
     in_body, in_space = _tumbling_course(motion)
-    return (
-        f"A free body with {_three(**moments)} (in any unit) and at first $ω₁$, $ω₂$, "
-        f"$ω₃ = {rates}$ rad/s. Left: in the body {in_body}. Right: in space {in_space}. "
-        "Dots, open where they are behind: at first."
-    )
-
-
-def _tumbling_in_words(**values: float) -> str:
-    motion = _tumbling(**values)
-    left, right = {
-        "steady": (
-            "L rests at a point",
-            "the tips of e3 and of e1 go round circles about the upright L, or rest on it",
-        ),
-        "separatrix": (
-            "the tip of L goes on a curve to the middle axis, which does not close",
-            "the tips of e3 and of e1 wind around the upright L, and their paths do not close",
-        ),
-        "regular precession": (
-            "the tip of L goes round a circle about the axis of symmetry",
-            "the tips of e3 and of e1 go around the upright L; that of the axis of symmetry, where "
-            "it is one of them, goes round a circle",
-        ),
-    }.get(
-        motion.regime,
-        (
-            f"the tip of L goes on a closed curve, of the kind {motion.regime}",
-            "the tips of e3 and of e1 wind around the upright L, and their paths do not close",
-        ),
-    )
-    return f"Two spheres. On the left, in the body frame, {left}. On the right, in space, {right}."
+    closed = f"the tip of L goes on a closed curve, of the kind {motion.regime}", NOT_CLOSED
+    left, right = IN_WORDS.get(motion.regime, closed)
+    three = _three(**moments)
+    return {"three": three, "body": in_body, "space": in_space, "left": left, "right": right}
 
 
 TUMBLING = Drawing(
@@ -426,8 +404,11 @@ TUMBLING = Drawing(
     "",
     toutatis.parameters[:6],
     _draw_tumbling,
-    _tumbling_caption,
-    _tumbling_in_words,
+    "A free body with {three} (in any unit) and at first $ω₁$, $ω₂$, $ω₃ = {omega1}, {omega2}, "
+    "{omega3}$ rad/s. Left: in the body {body}. Right: in space {space}. Dots, open where they are "
+    "behind: at first.",
+    "Two spheres. On the left, in the body frame, {left}. On the right, in space, {right}.",
+    _tumbling_facts,
     motions=one(_tumbling),
 )
 """By default the asteroid of example 33, its moments in units of the smallest."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 
 from rigidtop.derivations.exercises.friction import (
     ABOUT_CENTRE,
@@ -21,9 +21,10 @@ from rigidtop.derivations.exercises.friction import (
     waking_top,
 )
 from rigidtop.errors import RigidtopError
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.style import Floats, canvas, degrees, legend_above, name_at, said, spoken
+from rigidtop.figures.style import Canvas, Floats, canvas
 from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 
@@ -33,11 +34,17 @@ MOST_TURNS = 1000
 SAMPLES = 1601
 
 
-def _top_in_words(top: SlidingTop) -> str:
-    return (
-        f"$λ₁ = {said(top.lambda1)}$ and $λ₃ = {said(top.lambda3)}$ kg m² about the centre of "
-        f"mass, $Mg = {said(top.M * top.g)}$ N and $R = {said(top.R)}$ m"
-    )
+def _facts_of(path: SlidingTrajectory, **more: Any) -> dict[str, Any]:
+    """What both captions say of a top, in {top}, of how it starts and ends, and `more`."""
+    top = path.motion.body
+    return {
+        "Mg": top.M * top.g,
+        "top": "$λ₁ = {lambda1}$ and $λ₃ = {lambda3}$ kg m² about the centre of mass, $Mg = {Mg}$ "
+        "N and $R = {R}$ m",
+        "phi_dot": float(path.phi_dot[0]),
+        "end": path.ended.time if path.ended else float(path.t[-1]),
+        **more,
+    }
 
 
 def stands(path: SlidingTrajectory) -> float | None:
@@ -84,15 +91,21 @@ def _end_of(path: SlidingTrajectory) -> list[float]:
 
 def draw_tilt(axes: Axes, path: SlidingTrajectory, until: float) -> None:
     """θ(t) (degrees), and when it has come down to `until` (rad)."""
-    axes.plot(path.t, np.degrees(path.theta), color=look.FIRST, label="_theta")
+    parts: list[pen.Part] = [
+        pen.Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")
+    ]
     then = crossing(path, until)
     if then is not None:
-        axes.plot(then, math.degrees(until), "o", color=look.SECOND, ms=4, label="_until")
-        name_at(axes, then, math.degrees(until), f"{then:.3g} s", (5, 3), color=look.INK)
+        place = then, math.degrees(until)
+        parts += [
+            pen.Mark(place, look.SECOND, 4, label="_until"),
+            pen.Words(place, f"{then:.3g} s", (5, 3)),
+        ]
+    pen.draw(axes, parts)
     axes.set(ylim=(0, None), ylabel=r"$\theta$  (degrees)")
 
 
-def parts(path: SlidingTrajectory) -> dict[str, Floats]:
+def gains(path: SlidingTrajectory) -> dict[str, Floats]:
     """Gains since t = 0 (J): heat of friction, weight, motion other than ½λ₃ω₃²."""
     body = path.motion.body
     weight = body.M * body.g * path.position[:, 2]
@@ -120,58 +133,48 @@ def draw_budget(axes: Axes, path: SlidingTrajectory) -> None:
     That the shares reach up to the dashed line is the conservation of energy.
     """
     below = np.zeros(len(path.t))
-    for name, gain in parts(path).items():
+    bands: list[pen.Part] = []
+    for name, gain in gains(path).items():
         above = below + 1e3 * gain
-        axes.fill_between(path.t, below, above, fc=FILLS[name], ec="white", lw=0.3, label=name)
+        bands.append(pen.Band(path.t, below, above, FILLS[name], 1.0, name))
         below = above
-    axes.plot(
-        path.t, 1e3 * spent(path), color=look.INK, lw=1.1, ls=look.DASHED, label="lost by the spin"
+    loss = pen.Curve(
+        (path.t, 1e3 * spent(path)), look.INK, 1.1, look.DASHED, label="lost by the spin"
     )
-    axes.set(
-        ylim=(min(0.0, axes.get_ylim()[0]) if below.min() < 0 else 0.0, None), ylabel="energy  (mJ)"
-    )
+    pen.draw(axes, [*bands, loss])
+    low = min(0.0, axes.get_ylim()[0]) if below.min() < 0 else 0.0
+    axes.set(ylim=(low, None), ylabel="energy  (mJ)")
 
 
 def draw_slip(axes: Axes, path: SlidingTrajectory) -> None:
     """|v(t)| of the contact over the table (m/s)."""
-    axes.plot(path.t, np.hypot(*path.slip.T), color=look.FIRST, label="_slip")
+    pen.draw(axes, [pen.Curve((path.t, np.hypot(*path.slip.T)), look.FIRST, 1.3, label="_slip")])
     axes.set(ylim=(0, None), ylabel="slip  (m/s)")
 
 
 def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
     """The way of the contact on the table (cm), from above: dashed after its first standstill."""
-    x, y = 1e2 * path.contact[:, :2].T
+    track = 1e2 * path.contact[:, :2]
     rest = stands(path)
-    first = len(x) if rest is None else int(np.searchsorted(path.t, rest))
+    first = len(track) if rest is None else int(np.searchsorted(path.t, rest))
+    later = "rolls, slips" if slips_again(path) else "rolls"
+    parts: list[pen.Part] = [pen.Mark((track[0, 0], track[0, 1]))]
     for piece, words, color, style in (
-        (slice(0, first + 1), "slides", look.FIRST, "-"),
-        (
-            slice(first, None),
-            "rolls, slips" if slips_again(path) else "rolls",
-            look.SECOND,
-            look.DASHED,
-        ),
+        (track[: first + 1], "slides", look.FIRST, "-"),
+        (track[first:], later, look.SECOND, look.DASHED),
     ):
-        count = len(x[piece])
-        if count > 1:
-            axes.plot(x[piece], y[piece], color=color, ls=style, label=f"_{words}")
-        if count > 0.05 * len(x):
-            k = count // 2
-            along = np.array([x[piece][k + 1] - x[piece][k - 1], y[piece][k + 1] - y[piece][k - 1]])
+        if len(piece) > 1:
+            curve = piece[:, 0], piece[:, 1]
+            parts.append(pen.Curve(curve, color, 1.3, style, label=f"_{words}"))
+        if len(piece) > 0.05 * len(track):
+            k = len(piece) // 2
+            along = piece[k + 1] - piece[k - 1]
             beside = 6 * np.array([along[1], -along[0]]) / np.hypot(*along)
             # Inside the bend there is room.
-            beside *= math.copysign(1, beside @ [x.mean() - x[piece][k], y.mean() - y[piece][k]])
-            name_at(
-                axes,
-                float(x[piece][k]),
-                float(y[piece][k]),
-                words,
-                (float(beside[0]), float(beside[1])),
-                ha="left" if beside[0] > 0 else "right",
-                va="bottom" if beside[1] > 0 else "top",
-                color=color,
-            )
-    axes.plot(x[0], y[0], "o", color=look.INK, ms=3.5)
+            right, up = beside * math.copysign(1, beside @ (track.mean(axis=0) - piece[k]))
+            sides = "left" if right > 0 else "right", "bottom" if up > 0 else "top"
+            parts.append(pen.Words((piece[k, 0], piece[k, 1]), words, (right, up), color, *sides))
+    pen.draw(axes, parts)
     axes.set_aspect("equal", adjustable="datalim")
     axes.set(xlabel="$x$  (cm)", ylabel="$y$  (cm)")
 
@@ -188,57 +191,41 @@ def _draw_rising(until: float, **values: float) -> Canvas:
     for axes in (tilt, energy, slip):
         axes.set(xlim=(0, path.t[-1]), xlabel="$t$  (s)")
         if rest is not None:
-            axes.axvline(rest, color=look.INK, lw=0.8, ls=look.DOTTED, label="_standstill")
+            pen.draw(axes, [pen.Rule(x=rest, color=look.INK, lw=0.8, label="_standstill")])
     if rest is not None:
-        name_at(slip, rest, slip.get_ylim()[1], "slip ends", (4, -2), va="top", color=look.INK)
+        pen.draw(slip, [pen.Words((rest, slip.get_ylim()[1]), "slip ends", (4, -2), va="top")])
     room = {"handlelength": 1.6, "handletextpad": 0.4, "columnspacing": 1.0}
-    legend_above(energy, ncols=4, fontsize=look.SMALL, **room)
+    pen.legend_above(energy, ncols=4, fontsize=look.SMALL, **room)
     return drawn
 
 
-def _rising_caption(until: float, **values: float) -> str:
+def _rising_facts(until: float, **values: float) -> dict[str, Any]:
     path = _risen(until, **values)
-    top, then = path.motion.body, crossing(path, until)
-    reached = (
-        f"is down to {degrees(until)} after {said(then)} s"
-        if then is not None
-        else f"comes down to {degrees(float(path.theta.min()))}"
-    )
+    rest, then, end = stands(path), crossing(path, until), path.ended
     lost = float(spent(path)[-1])
-    heat, weight, other = (said(100 * float(gain[-1]) / lost) for gain in parts(path).values())
-    dashed = ", dashed once it rolls" if stands(path) is not None else ""
-    return (
-        f"A top with {_top_in_words(top)}, a round tip of radius {said(top.tip)} m and the "
-        f"friction $μ = {said(top.mu)}$, from $θ = {degrees(values['theta'])}$, $θ̇ = 0$, "
-        f"$φ̇ = {said(float(path.phi_dot[0]))}$ rad/s (steady if nothing rubs) and "
-        f"$ω₃ = {said(values['omega3'])}$ rad/s: $θ$ {reached}. {_contact_in_words(path)} Of the "
-        f"{said(1e3 * lost)} mJ that the spin has lost in the end (dashed), {heat} % went into "
-        f"heat, {weight} % into lifting the weight and {other} % into other motion. Below on the "
-        f"right: the path of the contact on the table, seen from above{dashed}."
-    )
-
-
-def _contact_in_words(path: SlidingTrajectory) -> str:
-    rest, end = stands(path), said(float(path.t[-1]))
+    shares = {name: float(gain[-1]) / lost for name, gain in gains(path).items()}
+    slips = "all the {shown} s that are shown"
     if rest is not None:
         later = "then rolls, but slips again and again" if slips_again(path) else "then rolls"
-        told = f"until {said(rest)} s (dotted), {later}"
-    else:
-        told = f"all the {end} s that are shown"
-    ending = f" Then it ends with a {path.ended.kind}." if path.ended else ""
-    return f"It slips, at first at {said(float(np.hypot(*path.slip[0])))} m/s, {told}.{ending}"
-
-
-def _rising_in_words(until: float, **values: float) -> str:
-    path = _risen(until, **values)
-    rest = stands(path)
-    ends = f"zero at {spoken(rest)} seconds" if rest is not None else "no standstill"
-    return (
-        f"Theta against time goes from {spoken(math.degrees(values['theta']))} degrees down to "
-        f"{spoken(math.degrees(float(path.theta.min())))}, while the slip of the contact goes to "
-        f"{ends}. Three bands, heat, weight and other motion, add up to the energy that the spin "
-        f"has lost, {spoken(1e3 * float(spent(path)[-1]))} millijoules in the end, of which heat "
-        "is the most. Beside it the path of the contact on the table."
+        slips = f"until {{rest}} s (dotted), {later}"
+    return _facts_of(
+        path,
+        then=then,
+        lowest=float(path.theta.min()),
+        reached="is down to {until:°} after {then} s"
+        if then is not None
+        else "comes down to {lowest:°}",
+        slip=float(np.hypot(*path.slip[0])),
+        slips=slips,
+        shown=float(path.t[-1]),
+        ending=f" Then it ends with a {end.kind}." if end else "",
+        rest=rest,
+        standstill="zero at {rest} seconds" if rest is not None else "no standstill",
+        dashed=", dashed once it rolls" if rest is not None else "",
+        lost=1e3 * lost,
+        heat=shares["heat"],
+        weight=shares["weight"],
+        other=shares["other motion"],
     )
 
 
@@ -248,8 +235,17 @@ RISING = Drawing(
     "3.5.4",
     rising_top.parameters,
     _draw_rising,
-    _rising_caption,
-    _rising_in_words,
+    "A top with {top}, a round tip of radius {tip} m and the friction $μ = {mu}$, from $θ = "
+    "{theta:°}$, $θ̇ = 0$, $φ̇ = {phi_dot}$ rad/s (steady if nothing rubs) and $ω₃ = {omega3}$ "
+    "rad/s: $θ$ {reached}. It slips, at first at {slip} m/s, {slips}.{ending} Of the {lost} mJ "
+    "that the spin has lost in the end (dashed), {heat:%} % went into heat, {weight:%} % into "
+    "lifting the weight and {other:%} % into other motion. Below on the right: the path of the "
+    "contact on the table, seen from above{dashed}.",
+    "Theta against time goes from {theta:°} degrees down to {lowest:°}, while the slip of the "
+    "contact goes to {standstill}. Three bands, heat, weight and other motion, add up to the "
+    "energy that the spin has lost, {lost} millijoules in the end, of which heat is the most. "
+    "Beside it the path of the contact on the table.",
+    _rising_facts,
     asked={"mu": 0.15, "theta": 0.6, "until": 0.35, "omega3": 230.0},
 )
 
@@ -290,38 +286,32 @@ def draw_waking(
 
     Dotted: where ω₃ is `sleeping` (rad/s), and where θ is `visible` (rad) for the first time.
     """
-    tilt.plot(path.t, np.degrees(path.theta), color=look.FIRST, label="_theta")
-    tilt.set(yscale="log", ylabel=r"$\theta$  (degrees)")
-    spin.plot(path.t, path.omega[:, 2], color=look.FIRST, label="_omega3")
-    spin.set(ylabel=r"$\omega_3$  (rad/s)", xlabel="$t$  (s)")
     seen = crossing(path, visible)
     asleep = float(np.interp(-sleeping, -path.omega[:, 2], path.t))
-    for axes in (tilt, spin):
-        axes.set_xlim(0, path.t[-1])
-        axes.axvline(asleep, color=look.GREY, lw=0.9, ls=look.DOTTED, label="_asleep")
-        if seen is not None:
-            axes.axvline(seen, color=look.GREY, lw=0.9, ls=look.DOTTED, label="_seen")
-    spin.axhline(sleeping, color=look.GREY, lw=0.9, ls=look.DOTTED, label="_sleeping")
-    low, high = spin.get_ylim()
-    spin.set_ylim(low, max(high, sleeping + 0.3 * (high - low)))
+    upright: list[pen.Part] = [pen.Rule(x=asleep, label="_asleep")]
+    start = pen.Mark((path.t[0], math.degrees(path.theta[0])))
+    theta = pen.Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")
+    parts: list[pen.Part] = [theta, start]
+    if seen is not None:
+        place = seen, math.degrees(visible)
+        upright.append(pen.Rule(x=seen, label="_seen"))
+        parts.append(pen.Mark(place, look.SECOND, 4, label="_visible"))
+        parts.append(pen.Words(place, f"{seen:.3g} s", (-5, 2), ha="right"))
+    pen.draw(tilt, [*parts, *upright])
+    omega3 = pen.Curve((path.t, path.omega[:, 2]), look.FIRST, 1.3, label="_omega3")
     # Beside the curve, which is above this line at first and below it in the end.
     early = asleep < path.t[-1] / 2
-    name_at(
-        spin,
-        (asleep + path.t[-1]) / 2 if early else asleep / 2,
-        sleeping,
-        r"$\frac{2}{\lambda_3}\sqrt{(\lambda_1+MR^2)MgR}$",
-        (0, 4 if early else -4),
-        ha="center",
-        va="bottom" if early else "top",
-    )
-    start = path.t[0], math.degrees(path.theta[0])
-    tilt.plot(*start, "o", color=look.INK, ms=3.5, clip_on=False, zorder=4)
-    if seen is not None:
-        tilt.plot(seen, math.degrees(visible), "o", color=look.SECOND, ms=4, label="_visible")
-        name_at(
-            tilt, seen, math.degrees(visible), f"{seen:.3g} s", (-5, 2), ha="right", color=look.INK
-        )
+    middle = (asleep + path.t[-1]) / 2 if early else asleep / 2
+    shift, side = ((0, 4), "bottom") if early else ((0, -4), "top")
+    formula = r"$\frac{2}{\lambda_3}\sqrt{(\lambda_1+MR^2)MgR}$"
+    words = pen.Words((middle, sleeping), formula, shift, look.NOTE, "center", side)
+    pen.draw(spin, [omega3, *upright, pen.Rule(y=sleeping, label="_sleeping"), words])
+    low, high = spin.get_ylim()
+    spin.set_ylim(low, max(high, sleeping + 0.3 * (high - low)))
+    for axes in (tilt, spin):
+        axes.set_xlim(0, path.t[-1])
+    tilt.set(yscale="log", ylabel=r"$\theta$  (degrees)")
+    spin.set(ylabel=r"$\omega_3$  (rad/s)", xlabel="$t$  (s)")
 
 
 def _draw_waking(**values: float) -> Canvas:
@@ -334,40 +324,22 @@ def _draw_waking(**values: float) -> Canvas:
     return drawn
 
 
-def _waking_facts(**values: float) -> tuple[SlidingTrajectory, float, float, float | None]:
-    """The motion, the sleeping spin (rad/s), when ω₃ is down to it and when the top wakes (s)."""
+def _waking_facts(**values: float) -> dict[str, Any]:
     path = _woken(**values)
     body = {p.name: values[p.name] for p in ABOUT_CENTRE}
-    asleep = time_asleep(values["omega3"], values["drag3"], **body)
-    return path, about_tip(**body).sleeping_spin(), asleep, crossing(path, values["visible"])
-
-
-def _waking_caption(**values: float) -> str:
-    path, sleeping, asleep, seen = _waking_facts(**values)
-    wakes = (
-        f"a tilt of {degrees(values['visible'])} is only seen after {said(seen)} s, at "
-        f"$ω₃ = {said(float(np.interp(seen, path.t, path.omega[:, 2])))}$ rad/s"
-        if seen is not None
-        else f"a tilt of {degrees(values['visible'])} is not seen in the time that is shown"
-    )
-    end = f" It lies after {said(path.ended.time)} s." if path.ended else ""
-    return (
-        f"A top with {_top_in_words(path.motion.body)} sleeps on a sharp tip that friction holds, "
-        f"from $ω₃ = {said(values['omega3'])}$ rad/s, $θ = {degrees(values['disturbance'])}$, $θ̇ "
-        f"= 0$ and $φ̇ = {said(float(path.phi_dot[0]))}$ rad/s, which is $λ₃ω₃/2$ over $λ₁ + MR²$. "
-        f"The torque of the air, $c₃ = {said(values['drag3'])}$ J s times $ω₃$, brings it down to "
-        f"the sleeping spin, {said(sleeping)} rad/s, after {said(asleep)} s; {wakes} (dotted).{end}"
-    )
-
-
-def _waking_in_words(**values: float) -> str:
-    _, sleeping, asleep, seen = _waking_facts(**values)
-    wakes = f"at {spoken(seen)} seconds" if seen is not None else "not in the time shown"
-    return (
-        "Theta on a logarithmic scale and omega 3, both against time. The spin decays and goes "
-        f"through the sleeping spin, {spoken(sleeping)} radians per second, at {spoken(asleep)} "
-        "seconds. Theta stays small until then; after that it grows, ever faster, and reaches "
-        f"{spoken(math.degrees(values['visible']))} degrees {wakes}."
+    seen = crossing(path, values["visible"])
+    wakes = "a tilt of {visible:°} is not seen in the time that is shown"
+    if seen is not None:
+        wakes = "a tilt of {visible:°} is only seen after {seen} s, at $ω₃ = {then}$ rad/s"
+    return _facts_of(
+        path,
+        sleeping=about_tip(**body).sleeping_spin(),
+        asleep=time_asleep(values["omega3"], values["drag3"], **body),
+        seen=seen,
+        then=None if seen is None else float(np.interp(seen, path.t, path.omega[:, 2])),
+        wakes=wakes,
+        reaches="at {seen} seconds" if seen is not None else "not in the time shown",
+        lies=" It lies after {end} s." if path.ended else "",
     )
 
 
@@ -377,6 +349,12 @@ WAKING = Drawing(
     "",
     waking_top.parameters,
     _draw_waking,
-    _waking_caption,
-    _waking_in_words,
+    "A top with {top} sleeps on a sharp tip that friction holds, from $ω₃ = {omega3}$ rad/s, $θ = "
+    "{disturbance:°}$, $θ̇ = 0$ and $φ̇ = {phi_dot}$ rad/s, which is $λ₃ω₃/2$ over $λ₁ + MR²$. The "
+    "torque of the air, $c₃ = {drag3}$ J s times $ω₃$, brings it down to the sleeping spin, "
+    "{sleeping} rad/s, after {asleep} s; {wakes} (dotted).{lies}",
+    "Theta on a logarithmic scale and omega 3, both against time. The spin decays and goes through "
+    "the sleeping spin, {sleeping} radians per second, at {asleep} seconds. Theta stays small "
+    "until then; after that it grows, ever faster, and reaches {visible:°} degrees {reaches}.",
+    _waking_facts,
 )

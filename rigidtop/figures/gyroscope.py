@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 
 from rigidtop.derivations.exercises.bodies import simple_rate
 from rigidtop.derivations.exercises.gyroscope import disc_on_axle, gyroscope, spin_for, spinning
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.axle import draw_arrows, draw_axle, lean_of_momentum, steady, to_scale
+from rigidtop.figures.axle import arrows, axle, facts_of_axle, steady, to_scale
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.rotors import fit, sense_of_turn, solid_disc
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, Scene, View, arc, ring
-from rigidtop.figures.style import Floats, canvas, degrees, in_math, name_at, said, spoken
-from rigidtop.figures.torque import torque
+from rigidtop.figures.space import UPRIGHT, View, arc, ring
+from rigidtop.figures.style import Canvas, Floats, canvas, in_math
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.rigid import SymmetricTop
 
@@ -32,34 +31,37 @@ def draw_gyroscope(axes: Axes, motion: TopMotion, radius: float) -> None:
 
     Axle and disc are to scale, arrows are not.
     """
-    scene = Scene(axes, VIEW)
     arm, half = to_scale(motion, radius)
-    e3 = motion.start().e3[0]
-    height = height_of_post(float(motion.start().theta[0]), arm, half)
-    post = np.outer([0.0, height], UPRIGHT)
-    plate = ring(post[1], UPRIGHT, 0.28, VIEW.axes[0])
-    scene.face(plate, fc=look.GROUND, ec=look.GREY, lw=0.7, zorder=0.5)
-    scene.line(post, color=look.GREY, lw=3.2, solid_capstyle="butt", zorder=1)
-    draw_axle(scene, motion, radius)
-    solid_disc(scene, arm * e3, e3, half, 0.16 * half, zorder=2.5)
-    _angle(scene, e3, 0.55 * arm)
+    start = motion.start()
+    e3, rate = start.e3[0], float(start.phi_dot[0])
+    foot = height_of_post(float(start.theta[0]), arm, half) * UPRIGHT
+    plate = ring(foot, UPRIGHT, 0.28, VIEW.axes[0])
     rim = ring(arm * e3, e3, half, VIEW.axes[2] + 0.1 * VIEW.axes[0])
-    drawn = draw_arrows(scene, motion, radius)
-    rate = float(motion.start().phi_dot[0])
-    words = rf"$\Omega = {in_math(rate)}$ rad/s"
-    around, left = 0.55 * post[1], rate > 0  # else L is there
-    drawn += [*sense_of_turn(scene, around, UPRIGHT, 0.2, rate, words, left=left, zorder=3.5)]
-    fit(scene, [*drawn, *rim, *plate], (0.25, 0.06, 0.02, 0.1))
+    words, left = rf"$\Omega = {in_math(rate)}$ rad/s", rate > 0  # else L is there
+    turning = pen.Turning(0.55 * foot, UPRIGHT, 0.2, rate, words, left, z=3.5)
+    pull, edge = arrows(VIEW, motion, radius)
+    parts = [
+        pen.Face(plate, look.GROUND, look.GREY, z=0.5),
+        pen.Curve([pen.ORIGIN, foot], look.GREY, 3.2, z=1, cap="butt"),
+        *axle(VIEW, motion, radius),
+        *pen.disc(arm * e3, e3, half, 0.16 * half, z=2.5),
+        *_angle(e3, 0.55 * arm),
+        *pull,
+        turning,
+    ]
+    pen.draw(axes, parts, VIEW)
+    pen.fit(axes, VIEW, [*edge, *turning.points(VIEW), *rim, *plate], (0.25, 0.06, 0.02, 0.1))
 
 
-def _angle(scene: Scene, e3: Floats, size: float) -> None:
+def _angle(e3: Floats, size: float) -> list[pen.Part]:
     """θ, from the vertical through O to the axle."""
-    scene.line(np.outer([0.0, 1.25 * size], UPRIGHT), color=look.GREY, lw=0.8, zorder=1)
     way = size * arc(UPRIGHT, e3)
-    scene.line(way, color=look.GREY, lw=0.9, zorder=1, label="_theta")
-    middle = 1.1 * way[len(way) // 2]
-    scene.words(middle, r"$\theta$", ha="center", va="bottom", color=look.INK, zorder=8)
-    scene.words(np.zeros(3), "$O$", (5, -9), color=look.INK, zorder=8)
+    return [
+        pen.guide([pen.ORIGIN, 1.25 * size * UPRIGHT]),
+        pen.guide(way, label="_theta"),
+        pen.Words(1.1 * way[len(way) // 2], r"$\theta$", ha="center", va="bottom"),
+        pen.Words(pen.ORIGIN, "$O$", (5, -9)),
+    ]
 
 
 def height_of_post(theta: float, arm: float, half: float) -> float:
@@ -89,26 +91,26 @@ def draw_simple_and_exact(
     spins = slowest + (last - slowest) * np.linspace(0.0, 1.0, 400) ** 2
     exact = np.array([top.steady_precession(theta, spin)[0] for spin in spins])
     from_zero = np.linspace(0.6 * first, last, 400)
-    words = r"$MgR/(\lambda_3\omega_3)$"
-    axes.plot(
-        from_zero, simple_rate(top, from_zero), color=look.GREY, ls=look.DASHED, lw=1.1, label=words
-    )
-    axes.plot(spins, exact, color=look.FIRST, label=r"$\Omega_-$ of (3.57)")
     now = top.steady_precession(theta, marked)[0]
-    axes.plot(marked, now, "o", color=look.FIRST, ms=4.5, label="_now")
     highest = 1.12 * max(top.steady_precession(theta, first)[0], 1.5 * now)
-    axes.set(xlim=(0.6 * first, last), ylim=(0, highest))
+    simple, law = simple_rate(top, from_zero), r"$MgR/(\lambda_3\omega_3)$"
+    parts: list[pen.Part] = [
+        pen.Curve((from_zero, simple), look.GREY, 1.1, look.DASHED, label=law),
+        pen.Curve((spins, exact), look.FIRST, 1.3, label=r"$\Omega_-$ of (3.57)"),
+        pen.Mark((marked, now), look.FIRST, 4.5, label="_now"),
+    ]
     if least > 0.6 * first:
-        axes.axvline(least, color=look.GREY, lw=0.9, ls=look.DOTTED, label="_least")
+        parts.append(pen.Rule(x=least, label="_least"))
     if 0.6 * first < needed < last:
-        axes.plot(
-            [needed] * 2, [0, 0.45 * highest], color=look.SECOND, ls=look.DOTTED, label="_needed"
-        )
-        words, right = f"{100 * tolerance:.3g} % apart", needed > 0.6 * (first + last)
-        aside, side = (-4, "right") if right else (4, "left")
+        line, right = ([needed] * 2, [0, 0.45 * highest]), needed > 0.6 * (first + last)
+        aside, side = ((-4, 0), "right") if right else ((4, 0), "left")
         # Where the curves are not: above them, or below where they are steep.
         height = 0.4 if simple_rate(top, needed) < 0.3 * highest else 0.06
-        name_at(axes, needed, height * highest, words, (aside, 0), ha=side, color=look.SECOND)
+        words = f"{100 * tolerance:.3g} % apart"
+        parts.append(pen.Curve(line, look.SECOND, 1.3, look.DOTTED, label="_needed"))
+        parts.append(pen.Words((needed, height * highest), words, aside, look.SECOND, side))
+    pen.draw(axes, parts)
+    axes.set(xlim=(0.6 * first, last), ylim=(0, highest))
     axes.legend(loc="upper right", handlelength=2.2, borderaxespad=0.1)
     axes.set(xlabel=r"$|\omega_3|$  (rad/s)", ylabel=r"$|\Omega|$  (rad/s)")
 
@@ -130,51 +132,18 @@ def _draw(tolerance: float, **values: float) -> Canvas:
     return drawn
 
 
-def _caption(tolerance: float, **values: float) -> str:
-    motion = _motion(**values)
-    found = answers(gyroscope, tolerance=tolerance, **values)
-    momentum = float(np.linalg.norm(motion.start().angular_momentum[0]))
-    couple = float(np.linalg.norm(torque(motion)))
-    return (
-        f"A gyroscope, a disc of {said(values['M'])} kg and radius {said(values['radius'])} m at "
-        f"$R = {said(values['R'])}$ m from the end $O$ of its axle, at $θ = "
-        f"{degrees(values['theta'])}$ and $ω₃ = {said(values['omega3'])}$ rad/s, with $g = "
-        f"{said(values['g'])}$ m/s²: $L = {said(momentum)}$ J s, and the torque about $O$ of "
-        f"{said(couple)} N m turns it {found['direction']}, as seen from above, at $Ω₋ = "
-        f"{said(found['exact'])}$ rad/s, a turn in {said(found['period'])} s; dashed is the circle "
-        "of the tip of $𝐋$. The curve: this rate against the spin; (3.52) gives "
-        f"{said(found['simple'])} rad/s, and is "
-        f"{_how_good(tolerance, found['spin_needed'])}.{_threshold(found['smallest_spin'])} "
-        "Directions are computed, lengths of arrows are not to scale."
-    )
-
-
-def _how_good(tolerance: float, needed: float | str) -> str:
-    if isinstance(needed, str):
-        return "exact at $90°$"
-    return f"off by no more than {said(100 * tolerance)} % from $|ω₃| = {said(needed)}$ rad/s on"
-
-
-def _threshold(least: float | str) -> str:
-    if isinstance(least, str):
-        return " Any spin but 0 lets it go round steadily."
-    if not least:
-        return ""
-    return f" Below {said(least)} rad/s it cannot go round steadily."
-
-
-def _in_words(tolerance: float, **values: float) -> str:
-    found = answers(gyroscope, tolerance=tolerance, **values)
-    tilt = spoken(math.degrees(values["theta"]))
-    momentum = lean_of_momentum(_motion(**values))
-    return (
-        f"A disc on an axle that is held at its other end O, {tilt} degrees from the upright. The "
-        f"weight points down from the centre of the disc, and L points {momentum}. The torque "
-        "N at O is horizontal, at right angles to the axle, and so is the change of L at its tip. "
-        f"Seen from above it goes {found['direction']}. Beside it the rate of precession falls "
-        f"with the spin, to {spoken(abs(found['exact']))} radians per second at a dot; a dashed "
-        f"curve beside it, M g R over lambda3 omega3, is at {spoken(abs(found['simple']))} there."
-    )
+def _facts(tolerance: float, **values: float) -> dict[str, Any]:
+    facts = answers(gyroscope, tolerance=tolerance, **values) | facts_of_axle(_motion(**values))
+    good = "off by no more than {tolerance:%} % from $|ω₃| = {spin_needed}$ rad/s on"
+    least = "Below {smallest_spin} rad/s it cannot go round steadily."
+    if isinstance(facts["smallest_spin"], str):
+        least = "Any spin but 0 lets it go round steadily."
+    return facts | {
+        "good": "exact at $90°$" if isinstance(facts["spin_needed"], str) else good,
+        "threshold": f" {least}" if facts["smallest_spin"] else "",
+        "rate": abs(facts["exact"]),
+        "by_formula": abs(facts["simple"]),
+    }
 
 
 GYROSCOPE = Drawing(
@@ -183,7 +152,18 @@ GYROSCOPE = Drawing(
     "",
     gyroscope.parameters,
     _draw,
-    _caption,
-    _in_words,
+    "A gyroscope, a disc of {M} kg and radius {radius} m at $R = {R}$ m from the end $O$ of its "
+    "axle, at $θ = {theta:°}$ and $ω₃ = {omega3}$ rad/s, with $g = {g}$ m/s²: $L = {L}$ J s, and "
+    "the torque about $O$ of {N} N m turns it {direction}, as seen from above, at $Ω₋ = {exact}$ "
+    "rad/s, a turn in {period} s; dashed is the circle of the tip of $𝐋$. The curve: this rate "
+    "against the spin; (3.52) gives {simple} rad/s, and is {good}.{threshold} Directions are "
+    "computed, lengths of arrows are not to scale.",
+    "A disc on an axle that is held at its other end O, {theta:°} degrees from the upright. The "
+    "weight points down from the centre of the disc, and L points {side} O, {aslant:°} degrees "
+    "from the axle. The torque N at O is horizontal, at right angles to the axle, and so is the "
+    "change of L at its tip. Seen from above it goes {direction}. Beside it the rate of precession "
+    "falls with the spin, to {rate} radians per second at a dot; a dashed curve beside it, M g R "
+    "over lambda3 omega3, is at {by_formula} there.",
+    _facts,
     motions=lambda tolerance, **values: (_motion(**values),),
 )

@@ -9,12 +9,13 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.net_torque import gravity_on_a_solid
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import vertical
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, Scene, View, circle, paper, top_body
-from rigidtop.figures.style import Floats, alone, degrees, said, spoken
+from rigidtop.figures.space import UPRIGHT, View, circle
+from rigidtop.figures.style import Floats, degrees
 from rigidtop.motion.attitude import from_euler_angles
 
 TALL = 1.4
@@ -38,80 +39,74 @@ def draw_leaning_cone(
     The cone is to scale, its mantle has the length 1; Mg and N have lengths of their own.  The
     paper is as large as they need.
     """
-    scene = Scene(axes, view_of(phi))
-    attitude = from_euler_angles(theta, phi, 0.0).as_matrix()
+    view, attitude = view_of(phi), from_euler_angles(theta, phi, 0.0).as_matrix()
     e3, nodes = attitude[:, 2], attitude[:, 1]
     level = np.array([math.cos(phi), math.sin(phi), 0.0])  # where it leans to
     size = math.hypot(radius, height)
     place = centre / size * e3
     weight = place - 0.42 * UPRIGHT
-    top_body(scene, e3, height / size, radius / size)
-    scene.arrow(TALL * UPRIGHT, look.Z, lw=0.8, color=look.GREY, shift=(-8, 0))
-    scene.arrow(1.35 * e3, look.E3, color=look.AXIS, lw=1.0, shift=(9, 0))
-    scene.arrow(place, color=look.INK, lw=2.0)
     lean = theta * np.linspace(0.0, 1.0, 61)
     way = 1.18 * (np.outer(np.cos(lean), UPRIGHT) + np.outer(np.sin(lean), level))
-    if not vertical(theta):
-        _draw_angle(scene, way, r"$\theta$", (-8, -2), zorder=3)
-        _draw_azimuth(scene, phi, level)
-    _draw_height(scene, place, level)
-    scene.arrow(weight, start=place, color=look.INK, lw=1.4)
-    scene.words(weight, look.WEIGHT, (6, 2), color=look.INK)
-    scene.dot(place)
-    scene.words(place, look.R_CM, (7, -9), color=look.INK, zorder=8)
-    scene.couple(0.0 * nodes if vertical(theta) else 0.85 * nodes, (20, -4))
-    shown = [
+    upright = vertical(theta)
+    parts: list[pen.Part] = [
+        *pen.cone(e3, height / size, radius / size),
+        pen.Arrow(TALL * UPRIGHT, look.Z, look.GREY, 0.8, shift=(-8, 0)),
+        pen.Arrow(1.35 * e3, look.E3, look.AXIS, 1.0, shift=(9, 0)),
+        pen.Arrow(place, lw=2.0),
+        *_height(place, level),
+        pen.Arrow(weight, start=place),
+        pen.Words(weight, look.WEIGHT, (6, 2)),
+        pen.Mark(place),
+        pen.Words(place, look.R_CM, (7, -9)),
+        pen.couple(0.0 * nodes if upright else 0.85 * nodes, (20, -4)),
+    ]
+    edge = [
         circle(e3, math.atan2(radius, height)),
         TALL * UPRIGHT,
         1.35 * e3,
         weight,
         -0.2 * UPRIGHT,
     ]
-    if not vertical(theta):
-        shown.append(1.1 * way)
-    x, y, _ = scene.view(np.vstack(shown))
-    paper(axes, (min(x.min(), -1.1), max(x.max(), 0.7) + 0.2), (y.min() - 0.1, y.max() + 0.1))
+    if not upright:
+        parts += [*_angle(view, way, r"$\theta$", (-8, -2), 3), *_azimuth(view, phi, level)]
+        edge.append(1.1 * way)
+    pen.draw(axes, parts, view)
+    x, y, _ = view(np.vstack(edge))
+    pen.paper(axes, (min(x.min(), -1.1), max(x.max(), 0.7) + 0.2), (y.min() - 0.1, y.max() + 0.1))
 
 
-def _draw_azimuth(scene: Scene, phi: float, level: Floats) -> None:
+def _azimuth(view: View, phi: float, level: Floats) -> list[pen.Part]:
     """The azimuth from x̂ to the direction into which the cone leans, under it."""
-    scene.arrow([0.6, 0.0, 0.0], look.X, color=look.GREY, lw=0.7, zorder=1.5)
-    scene.line(np.outer([0.0, 0.5], level), color=look.GREY, lw=0.7, ls=look.DOTTED, zorder=1.5)
     turned = math.remainder(phi, 2 * math.pi) * np.linspace(0.0, 1.0, 61)
     way = 0.4 * np.column_stack([np.cos(turned), np.sin(turned), 0 * turned])
-    _draw_angle(scene, way, degrees(phi), (2, -8), zorder=1.5)
+    return [
+        pen.Arrow([0.6, 0.0, 0.0], look.X, look.GREY, 0.7, z=1.5),
+        pen.guide([pen.ORIGIN, 0.5 * level], ls=look.DOTTED, z=1.5),
+        *_angle(view, way, degrees(phi), (2, -8), 1.5),
+    ]
 
 
-def _draw_angle(
-    scene: Scene,
-    way: Floats,
-    words: str,
-    aside: tuple[float, float],
-    *,
-    zorder: float,
-) -> None:
+def _angle(view: View, way: Floats, words: str, aside: pen.Shift, z: float) -> list[pen.Part]:
     """An arc (N, 3) about the origin, and its name: outside, or `aside` where there is no room."""
-    x, y, _ = scene.view(way)
-    scene.line(way, color=look.NOTE, lw=0.8, zorder=zorder, label="_angle")
+    x, y, _ = view(way)
     narrow = float(np.linalg.norm(way[-1] - way[0])) < NARROW
-    at = 0 if narrow else 2 * len(way) // 5
-    away = (8 if words.startswith("$") else 15) / math.hypot(x[at], y[at])
-    shift = aside if narrow else (float(x[at]) * away, float(y[at]) * away)
-    style = {"ha": "center", "va": "center", "zorder": zorder}
-    scene.words(way[at], words, shift, **style)
+    k = 0 if narrow else 2 * len(way) // 5
+    away = (8 if words.startswith("$") else 15) / math.hypot(x[k], y[k])
+    shift = aside if narrow else (float(x[k]) * away, float(y[k]) * away)
+    arc = pen.Curve(way, look.NOTE, 0.8, z=z, label="_angle")
+    return [arc, pen.Words(way[k], words, shift, look.NOTE, "center", "center", z=z)]
 
 
-def _draw_height(scene: Scene, place: Floats, level: Floats) -> None:
+def _height(place: Floats, level: Floats) -> list[pen.Part]:
     """R cos θ, the height of the centre of mass over the tip, on the other side of ẑ."""
     beyond, height = -0.62 * level, place[2] * UPRIGHT
-    for start, above in ((place, height), (np.zeros(3), 0 * UPRIGHT)):
-        scene.line(
-            [start, 1.1 * beyond + above], color=look.GREY, lw=0.8, ls=look.DASHED, zorder=2.9
-        )
-    both: dict[str, Any] = {"ends": "<|-|>", "width": 0.12, "length": 0.25, "zorder": 3}
-    scene.head(np.array([beyond, beyond + height]), color=look.NOTE, lw=0.8, **both)
-    middle = beyond + height / 2
-    scene.words(middle, r"$R\,\cos\theta$", (-4, 0), ha="right", va="center")
+    top = beyond + height
+    return [
+        pen.guide([place, 1.1 * beyond + height], ls=look.DASHED, z=2.9),
+        pen.guide([pen.ORIGIN, 1.1 * beyond], ls=look.DASHED, z=2.9),
+        pen.Arrow(top, "", look.NOTE, 0.8, beyond, z=3, size=(0.12, 0.25), ends="<|-|>"),
+        pen.Words((beyond + top) / 2, r"$R\,\cos\theta$", (-4, 0), look.NOTE, "right", "center"),
+    ]
 
 
 def _draw(axes: Axes, **values: float) -> None:
@@ -120,47 +115,17 @@ def _draw(axes: Axes, **values: float) -> None:
     draw_leaning_cone(axes, radius, height, theta, phi, found["R"])
 
 
-def _caption(
-    radius: float, height: float, density: float, theta: float, phi: float, g: float
-) -> str:
-    found = answers(
-        gravity_on_a_solid,
-        radius=radius,
-        height=height,
-        density=density,
-        theta=theta,
-        phi=phi,
-        g=g,
-    )
-    weight = f"$g = {said(g)}$ m/s²"
+def _facts(theta: float, **others: float) -> dict[str, Any]:
+    facts = answers(gravity_on_a_solid, theta=theta, **others)
     if vertical(theta):
-        leans = f"on the vertical, $θ = {degrees(theta)}$, where it has no azimuth and $N = 0$"
-    else:
-        leans = (
-            f"leaning at $θ = {degrees(theta)}$ towards the azimuth {degrees(phi)}; $𝐍$, along "
-            f"$e₂′$, of magnitude $MgR sin θ = {said(found['torque'])}$ N m, is horizontal"
-        )
-    return (
-        f"A solid cone on its tip, of radius {said(radius)} m, height {said(height)} m and density "
-        f"{said(density)} kg/m³, {leans}. The centre of mass of the cone is at $R = "
-        f"{said(found['R'])}$ m, three quarters of its height, and with "
-        f"$M = {said(found['mass'])}$ kg and {weight} its potential energy is "
-        f"$MgR cos θ = {said(found['potential'])}$ J. The cone is to scale, the arrows are not."
+        leans = "on the vertical, $θ = {theta:°}$, where it has no azimuth and $N = 0$"
+        return facts | {"leans": leans, "turning": "There is no torque, as the axis is vertical."}
+    leans = (
+        "leaning at $θ = {theta:°}$ towards the azimuth {phi:°}; $𝐍$, along $e₂′$, of magnitude "
+        "$MgR sin θ = {torque}$ N m, is horizontal"
     )
-
-
-def _in_words(**values: float) -> str:
-    found = answers(gravity_on_a_solid, **values)
-    theta = values["theta"]
-    seen = (
-        "A cone that stands on its tip, its axis e3 at "
-        f"{spoken(math.degrees(theta))} degrees to the upright z. R_CM leads from the tip to the "
-        f"centre of mass, {spoken(found['R'])} metres, from which the weight Mg points down. "
-        "Beside it its height over the tip is marked, R cos theta. "
-    )
-    if vertical(theta):
-        return seen + "There is no torque, as the axis is vertical."
-    return seen + "The torque N points horizontally into the paper, at right angles to e3 and z."
+    turning = "The torque N points horizontally into the paper, at right angles to e3 and z."
+    return facts | {"leans": leans, "turning": turning}
 
 
 LEANING_CONE = Drawing(
@@ -168,7 +133,13 @@ LEANING_CONE = Drawing(
     "A solid cone on its tip: torque and potential energy",
     "",
     gravity_on_a_solid.parameters,
-    alone(3.0, _draw),
-    _caption,
-    _in_words,
+    pen.alone(3.0, _draw),
+    "A solid cone on its tip, of radius {radius} m, height {height} m and density {density} kg/m³, "
+    "{leans}. The centre of mass of the cone is at $R = {R}$ m, three quarters of its height, and "
+    "with $M = {mass}$ kg and $g = {g}$ m/s² its potential energy is $MgR cos θ = {potential}$ J. "
+    "The cone is to scale, the arrows are not.",
+    "A cone that stands on its tip, its axis e3 at {theta:°} degrees to the upright z. R_CM leads "
+    "from the tip to the centre of mass, {R} metres, from which the weight Mg points down. Beside "
+    "it its height over the tip is marked, R cos theta. {turning}",
+    _facts,
 )

@@ -3,41 +3,31 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import distance_transform_edt, label
 
 from rigidtop.errors import RigidtopError
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import (
+    RATE,
     SPIN,
     THETA,
     TOP,
+    facts_of,
     has_phi,
     of_top,
     rates_in_words,
-    start_in_words,
-    top_in_words,
     vertical,
 )
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.space import UPRIGHT, Scene, View, circle, paper
-from rigidtop.figures.style import (
-    Floats,
-    alone,
-    canvas,
-    degrees,
-    legend_above,
-    name_at,
-    said,
-    spoken,
-)
+from rigidtop.figures.space import UPRIGHT, View, circle
+from rigidtop.figures.style import Canvas, Floats, canvas
 from rigidtop.motion.many import top_motions
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
@@ -52,14 +42,16 @@ MOST_NUTATIONS = 14
 def draw_path(axes: Axes, e3: ArrayLike, title: str = "") -> None:
     """The path of the figure axis, unit vectors (N, 3) in space, on the sphere."""
     path = np.asarray(e3, dtype=float)
-    scene = Scene(axes, View(elevation=0.5))
-    scene.sphere()
     polar = np.arccos(np.clip(path[:, 2], -1, 1))
-    for theta in (polar.min(), polar.max()):
-        scene.on_sphere(circle(UPRIGHT, float(theta)), color=look.GREY, lw=0.7)
-    scene.on_sphere(path, color=look.FIRST, lw=1.3, label="_path")
-    scene.arrow(1.45 * UPRIGHT, look.Z, start=UPRIGHT, lw=0.9, shift=(7, -3))
-    paper(axes, (-1.04, 1.04), (-1.04, 1.34))
+    turning = [circle(UPRIGHT, float(theta)) for theta in (polar.min(), polar.max())]
+    parts = [
+        pen.Sphere(),
+        *(pen.on_sphere(points, look.GREY, lw=0.7) for points in turning),
+        pen.on_sphere(path, look.FIRST, lw=1.3, label="_path"),
+        pen.Arrow(1.45 * UPRIGHT, look.Z, lw=0.9, start=UPRIGHT, shift=(7, -3)),
+    ]
+    pen.draw(axes, parts, View(elevation=0.5))
+    pen.paper(axes, (-1.04, 1.04), (-1.04, 1.34))
     if title:
         axes.set_title(title, color=look.INK)
 
@@ -102,7 +94,7 @@ def _draw_paths(**values: float) -> Canvas:
         draw_path(sphere, run.e3, motion.regime)
         few = run.t <= 4 * motion.nutation_period
         turned = np.degrees(run.phi[few] - run.phi[0])
-        strip.plot(turned, np.degrees(run.theta[few]), color=look.FIRST, lw=1.1)
+        pen.draw(strip, [pen.Curve((turned, np.degrees(run.theta[few])), look.FIRST, 1.1)])
         strip.set_xlabel(r"$\phi$  (degrees)")
     strips[0].set_ylabel(r"$\theta$  (degrees)")
     strips[0].margins(y=0.1)
@@ -110,39 +102,27 @@ def _draw_paths(**values: float) -> Canvas:
     return drawn
 
 
-def _paths_caption(body: HeavyTop, theta: float, phi_dot: float, omega3: float) -> str:
-    _leaning(theta)
-    return (
-        f"The path of $e₃$ on the sphere from {start_in_words(theta, omega3)} with $θ̇ = 0$ and "
-        f"$φ̇ = {said(phi_dot)}$, 0 and {said(-phi_dot)} rad/s, for {top_in_words(body)}. "
-        "The circles that a path touches lie at the turning points of $θ$. "
-        "Below: $θ$ against $φ$ from the start, for four nutations at most."
-    )
+def _paths_facts(**values: float) -> dict[str, Any]:
+    motions = _paths(**values)
+    regimes = ", ".join(motion.regime for motion in motions)
+    return facts_of(motions[0].body, back=-values["phi_dot"], regimes=regimes)
 
 
-def _paths_in_words(**values: float) -> str:
-    regimes = [motion.regime for motion in _paths(**values)]
-    return (
-        "Three spheres with the path of the figure axis between two circles of latitude, for a "
-        f"start with phi dot {spoken(values['phi_dot'])}, zero and {spoken(-values['phi_dot'])} "
-        f"radians per second: {', '.join(regimes)}. Below each theta, "
-        "downwards, against phi."
-    )
-
+FIRST_RATE = Parameter("phi_dot", 1.6, "$φ̇$ at the start, in turn positive, 0, negative", "rad/s")
 
 PATHS = Drawing(
     "paths",
     "The path of $e₃$ on the sphere: waves, cusps, loops",
     "3.5.4",
-    (
-        *TOP,
-        THETA,
-        Parameter("phi_dot", 1.6, "$φ̇$ at the start, in turn positive, 0, negative", "rad/s"),
-        SPIN,
-    ),
+    (*TOP, THETA, FIRST_RATE, SPIN),
     _draw_paths,
-    of_top(_paths_caption),
-    _paths_in_words,
+    "The path of $e₃$ on the sphere from {start} with $θ̇ = 0$ and $φ̇ = {phi_dot}$, 0 and {back} "
+    "rad/s, for {top}. The circles that a path touches lie at the turning points of $θ$. Below: "
+    "$θ$ against $φ$ from the start, for four nutations at most.",
+    "Three spheres with the path of the figure axis between two circles of latitude, for a start "
+    "with phi dot {phi_dot}, zero and {back} radians per second: {regimes}. Below each theta, "
+    "downwards, against phi.",
+    _paths_facts,
     motions=_paths,
 )
 
@@ -152,19 +132,18 @@ PATHS = Drawing(
 
 def draw_theta(axes: Axes, motion: TopMotion, t: Floats) -> None:
     """θ(t) (degrees) between its turning points."""
-    axes.plot(t, np.degrees(motion.exact(t).theta), color=look.FIRST, label="_theta")
-    for angle in np.degrees(motion.turning_points):
-        axes.axhline(float(angle), color=look.GREY, lw=0.8, ls=look.DOTTED)
+    limits = [pen.Rule(y=math.degrees(angle), lw=0.8) for angle in motion.turning_points]
+    theta = np.degrees(motion.exact(t).theta)
+    pen.draw(axes, [pen.Curve((t, theta), look.FIRST, 1.3, label="_theta"), *limits])
     axes.set_ylabel(r"$\theta$  (degrees)")
 
 
 def draw_phi(axes: Axes, motion: TopMotion, t: Floats) -> None:
     """φ(t) (degrees), and what it would be at its mean rate."""
-    phi = motion.exact(t).phi
-    mean = motion.mean_precession
+    phi, mean = motion.exact(t).phi, motion.mean_precession
     if math.isfinite(mean):
-        axes.plot(t, np.degrees(phi[0] + mean * t), color=look.GREY, lw=0.9, ls=look.DASHED)
-    axes.plot(t, np.degrees(phi), color=look.FIRST, label="_phi")
+        pen.draw(axes, [pen.Curve((t, np.degrees(phi[0] + mean * t)), look.GREY, 0.9, look.DASHED)])
+    pen.draw(axes, [pen.Curve((t, np.degrees(phi)), look.FIRST, 1.3, label="_phi")])
     axes.set_ylabel(r"$\phi$  (degrees)")
 
 
@@ -174,12 +153,12 @@ def draw_energies(axes: Axes, motion: TopMotion, t: Floats) -> None:
     constant = run.p_psi**2 / (2 * top.lambda3)
     potential = run.vertical @ np.array(top.weight)
     energy = run.energy - constant
-    for values, words, color, style in (
-        (energy - potential, "$T$", look.SECOND, look.DASH_DOT),
-        (potential, "$V$", look.FIRST, "-"),
-        (energy, "$E$", look.INK, look.DASHED),
-    ):
-        axes.plot(t, values, color=color, ls=style, lw=1.2, label=words)
+    curves = [
+        pen.Curve((t, energy - potential), look.SECOND, ls=look.DASH_DOT, label="$T$"),
+        pen.Curve((t, potential), look.FIRST, label="$V$"),
+        pen.Curve((t, energy), look.INK, ls=look.DASHED, label="$E$"),
+    ]
+    pen.draw(axes, curves)
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.34 * (high - low))
     axes.legend(loc="upper center", ncols=3, handlelength=2.6, borderaxespad=0.0)
@@ -203,58 +182,54 @@ def _draw_motion(**values: float) -> Canvas:
     times = np.linspace(0.0, _shown_time(motion), 1201)
     drawn = canvas(look.COLUMN, 3.2)
     panels = drawn.subplots(3, 1, sharex=True)
-    for axes, draw in zip(panels, (draw_theta, draw_phi, draw_energies), strict=True):
-        draw(axes, motion, times)
+    for axes, panel in zip(panels, (draw_theta, draw_phi, draw_energies), strict=True):
+        panel(axes, motion, times)
         axes.set_xlim(0, times[-1])
     panels[-1].set_xlabel("$t$  (s)")
     drawn.align_ylabels(panels)
     return drawn
 
 
-def _motion_caption(
-    theta: float, theta_dot: float, phi_dot: float, omega3: float, **top: float
-) -> str:
-    motion = _start(theta, theta_dot, phi_dot, omega3, **top)
-    first, last = np.degrees(motion.turning_points)
-    mean = f"{said(motion.mean_precession)} rad/s"
-    if motion.regime in AT_REST:
-        course = f"$θ$ stays ${said(first)}°$; $φ$ is drawn at the rate of a top nearby, {mean}."
-    elif motion.regime == "steady":
-        course = f"$θ$ stays ${said(first)}°$, and $φ$ goes on at {mean}."
-    else:
-        course = (
-            f"$θ$ runs between ${said(first)}°$ and ${said(last)}°$ (dotted), there and back in "
-            f"{said(motion.nutation_period)} s; dashed, $φ$ at its mean rate, {mean}."
-        )
-    return (
-        f"A top with {top_in_words(motion.body)} from {start_in_words(theta, omega3)}, "
-        f"{rates_in_words(theta, phi_dot, theta_dot)} ({motion.regime}): {course} $T$ and $E$ are "
-        "without the constant $p_ψ²/(2λ₃)$."
-    )
-
-
 AT_REST = ("sleeping", "hanging")
 """Regimes in which e₃ stays on the vertical."""
 
+AT_ONE_TILT = (
+    "Three panels over time: theta stays {theta:°} degrees; {still} as a straight line at {mean} "
+    "radians per second; the energies T, V and their sum E are constant."
+)
+NUTATING = (
+    "Three curves over time: theta goes up and down between its turning points with a period of "
+    "{period} seconds; phi goes on, now faster, now slower, at a mean rate of {mean} radians per "
+    "second; of the energies T and V mirror each other, and their sum E stays the same."
+)
 
-def _motion_in_words(**values: float) -> str:
-    motion = _start(**values)
-    mean = f"{spoken(motion.mean_precession)} radians per second"
-    if motion.regime in (*AT_REST, "steady"):
-        phi = "phi, which has no meaning there, is drawn" if motion.regime in AT_REST else "phi is"
-        return (
-            f"Three panels over time: theta stays {spoken(math.degrees(values['theta']))} degrees; "
-            f"{phi} as a straight line at {mean}; the energies T, V and their sum E are constant."
+
+def _motion_facts(theta: float, theta_dot: float, **others: float) -> dict[str, Any]:
+    motion = _start(theta=theta, theta_dot=theta_dot, **others)
+    first, last = np.degrees(motion.turning_points)
+    rests = motion.regime in AT_REST
+    if rests:
+        course = "$θ$ stays ${first}°$; $φ$ is drawn at the rate of a top nearby, {mean} rad/s."
+    elif motion.regime == "steady":
+        course = "$θ$ stays ${first}°$, and $φ$ goes on at {mean} rad/s."
+    else:
+        course = (
+            "$θ$ runs between ${first}°$ and ${last}°$ (dotted), there and back in {period} s; "
+            "dashed, $φ$ at its mean rate, {mean} rad/s."
         )
-    return (
-        "Three curves over time: theta goes up and down between its turning points with a period "
-        f"of {spoken(motion.nutation_period)} seconds; phi goes on, now faster, now slower, at a "
-        f"mean rate of {mean}; of the energies T and V mirror each other, and their sum E stays "
-        "the same."
+    return facts_of(
+        motion.body,
+        rates=rates_in_words(theta, theta_dot),
+        regime=motion.regime,
+        course=course,
+        first=first,
+        last=last,
+        mean=motion.mean_precession,
+        period=motion.nutation_period,
+        seen=AT_ONE_TILT if rests or motion.regime == "steady" else NUTATING,
+        still="phi, which has no meaning there, is drawn" if rests else "phi is",
     )
 
-
-RATE = Parameter("phi_dot", 0.0, "$φ̇$ at the start", "rad/s")
 
 MOTION = Drawing(
     "motion",
@@ -262,27 +237,28 @@ MOTION = Drawing(
     "",
     (*TOP, THETA, Parameter("theta_dot", 0.0, "$θ̇$ at the start", "rad/s"), RATE, SPIN),
     _draw_motion,
-    _motion_caption,
-    _motion_in_words,
+    "A top with {top} from {start}, {rates} ({regime}): {course} $T$ and $E$ are without the "
+    "constant $p_ψ²/(2λ₃)$.",
+    "{seen}",
+    _motion_facts,
     motions=one(_start),
 )
 
 # --- A map of regimes ----------------------------------------------------------------------------
 
 COUNTS = 241, 201
-AREAS: Mapping[str, tuple[str, str]] = {
-    "waves": ("#ffffff", ""),
-    "loops": ("#c9d6e3", "////"),
-}
-"""Colour and hatching of the regimes that fill areas; the others are lines and points."""
+AREAS = "waves", "loops"
+"""Regimes that fill areas, of which the loops are hatched; the others are lines and points."""
 
 
-VERTICAL: Mapping[str, Any] = {
-    "color": look.INK,
-    "lw": 1.0,
-    "ls": look.DOTTED,
-    "label": "_vertical",
-}
+def cusps(spins: Floats, rates: Floats) -> pen.Curve:
+    """Where φ̇ vanishes at a turning point."""
+    return pen.Curve((spins, rates), look.INK, 1.0, look.DASHED, label="_cusps")
+
+
+def through_the_vertical(spins: Floats, rates: Floats) -> pen.Curve:
+    """Where p_φ = ±p_ψ."""
+    return pen.Curve((spins, rates), look.INK, 1.0, look.DOTTED, label="_vertical")
 
 
 def regime_map(top: HeavyTop, theta: float, spins: Floats, rates: Floats) -> NDArray[np.str_]:
@@ -311,111 +287,86 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
     rates = phi_dot * ((np.arange(COUNTS[1]) + 0.5) / COUNTS[1] * 2 - 1)
     rates = rates + 1e-3 * phi_dot / COUNTS[1]
     regimes = regime_map(top, theta, spins, rates)
-    known = [name for name in AREAS if np.any(regimes == name)]
-    for name in known:
-        inside = (regimes == name).astype(float)
-        color, hatch = AREAS[name]
-        if inside.all():
-            axes.axhspan(-phi_dot, phi_dot, fc=color, ec=look.RULE, hatch=hatch or None, lw=0)
-            continue
-        axes.contourf(
-            spins, rates, inside, levels=[0.5, 1.5], colors=[color], hatches=[hatch or None]
-        )
+    loops = regimes == "loops"
+    hatched: Any = {"colors": ["#c9d6e3"], "hatches": ["////"], "levels": [0.5, 1.5]}
+    if loops.all():
+        axes.axhspan(-phi_dot, phi_dot, fc="#c9d6e3", ec=look.RULE, hatch="////", lw=0)
+    elif loops.any():
+        axes.contourf(spins, rates, loops.astype(float), **hatched)
     weight, high, low = top.M * top.g * top.R, 1 + math.cos(theta), 1 - math.cos(theta)
     whole = np.linspace(0.0, omega3, 2)
-    axes.plot(whole, 0 * whole, color=look.INK, lw=1.0, ls=look.DASHED, label="_cusps")
-    axes.plot(whole, -top.lambda3 * whole / (top.lambda1 * low), **VERTICAL)
+    lines = [
+        cusps(whole, 0 * whole),
+        through_the_vertical(whole, -top.lambda3 * whole / (top.lambda1 * low)),
+    ]
     least = spin_to_the_upright(top, theta)
     if least < omega3:
         fast = np.linspace(least, omega3, 200)[1:]
-        second = 2 * weight / (top.lambda3 * fast)
-        axes.plot(fast, second, color=look.INK, lw=1.0, ls=look.DASHED, label="_cusps")
-        axes.plot(fast, top.lambda3 * fast / (top.lambda1 * high), **VERTICAL)
-    _steady_lines(axes, top, theta, omega3, phi_dot)
-    for name in known:
-        _name_area(axes, spins, rates, regimes == name, name)
+        lines += [
+            cusps(fast, 2 * weight / (top.lambda3 * fast)),
+            through_the_vertical(fast, top.lambda3 * fast / (top.lambda1 * high)),
+        ]
+    lines += _steady_lines(top, theta, omega3, phi_dot)
+    names = [
+        pen.Words((spins[column], rates[row]), name, ha="center", va="center", z=3)
+        for name in AREAS
+        for row, column in _middles(regimes == name, rates)
+    ]
+    pen.draw(axes, [*lines, *names])
     axes.set(
         xlim=(0, omega3),
         ylim=(-phi_dot, phi_dot),
         xlabel=r"$\omega_3$  (rad/s)",
         ylabel=r"$\dot\phi$ at the start  (rad/s)",
     )
-    handles = [
-        Line2D([], [], color=look.SECOND, lw=1.6, label="steady"),
-        Line2D([], [], color=look.INK, lw=0.9, ls=look.DASHED, label="cusps"),
-        Line2D([], [], color=look.INK, lw=0.9, ls=look.DOTTED, label="vertical"),
-    ]
-    legend_above(axes, handles=handles, ncols=3)
+    kinds = {"steady": (look.SECOND, "-"), "cusps": (look.INK, look.DASHED)}
+    kinds["vertical"] = look.INK, look.DOTTED
+    handles = [Line2D([], [], color=c, ls=ls, label=name) for name, (c, ls) in kinds.items()]
+    pen.legend_above(axes, handles=handles, ncols=3)
 
 
-def _steady_lines(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot: float) -> None:
+def _steady_lines(top: HeavyTop, theta: float, omega3: float, phi_dot: float) -> list[pen.Curve]:
     least = top.smallest_spin(theta)
     if least >= omega3:
-        return
+        return []
     spins = least + (omega3 - least) * np.linspace(0.0, 1.0, 300)[1:] ** 2
-    roots = np.array([top.steady_precession(theta, spin) for spin in spins])
+    slow, fast = np.array([top.steady_precession(theta, spin) for spin in spins]).T
     if least:  # both begin at one point
-        spins = np.concatenate([spins[::-1], spins])
-        axes.plot(spins, np.append(roots[::-1, 1], roots[:, 0]), color=look.SECOND, lw=1.6)
-        return
-    for root in roots.T:
-        axes.plot(
-            spins, np.where(np.abs(root) < 10 * phi_dot, root, np.nan), color=look.SECOND, lw=1.6
-        )
+        both = np.append(spins[::-1], spins), np.append(fast[::-1], slow)
+        return [pen.Curve(both, look.SECOND, 1.6)]
+    roots = [np.where(np.abs(root) < 10 * phi_dot, root, np.nan) for root in (slow, fast)]
+    return [pen.Curve((spins, root), look.SECOND, 1.6) for root in roots]
 
 
-def _name_area(
-    axes: Axes, spins: Floats, rates: Floats, inside: NDArray[np.bool_], name: str
-) -> None:
-    """The name of a regime, in the middle of each large part of its area."""
-    above, count = label(inside & (rates > 0)[:, None])
-    below, more = label(inside & (rates < 0)[:, None])
-    parts = above + np.where(below > 0, below + count, 0)
-    for part in range(1, count + more + 1):
-        here = parts == part
-        if here.mean() < 0.04:
-            continue
-        depth = distance_transform_edt(np.pad(here, 1))[1:-1, 1:-1]
-        row, column = np.unravel_index(int(np.argmax(depth)), depth.shape)
-        name_at(
-            axes,
-            float(spins[column]),
-            float(rates[row]),
-            name,
-            ha="center",
-            va="center",
-            color=look.INK,
-        )
+def _middles(inside: NDArray[np.bool_], rates: Floats) -> list[tuple[int, int]]:
+    """Row and column of the middle of each large part of an area, above φ̇ = 0 and below it."""
+    middles = []
+    for side in (rates > 0, rates < 0):
+        parts, count = label(inside & side[:, None])
+        for part in (parts == k + 1 for k in range(count)):
+            if part.mean() >= 0.04:
+                depth = distance_transform_edt(np.pad(part, 1))[1:-1, 1:-1]
+                row, column = np.unravel_index(int(np.argmax(depth)), depth.shape)
+                middles.append((int(row), int(column)))
+    return middles
 
 
-def _regimes_caption(body: HeavyTop, theta: float, omega3: float, phi_dot: float) -> str:
+def _regimes_facts(body: HeavyTop, theta: float, omega3: float, phi_dot: float) -> dict[str, Any]:
     _leaning(theta)
-    least = body.smallest_spin(theta)
-    begins = f" It begins at $ω₃ = {said(least)}$ rad/s." if 0 < least < omega3 else ""
-    reached = spin_to_the_upright(body, theta)
+    least, reached = body.smallest_spin(theta), spin_to_the_upright(body, theta)
+    points = np.linspace(0.05, 1, 20) * omega3, np.linspace(-0.99, 0.99, 20) * phi_dot
     upright = (
-        f" The axis comes to the upright, on the upper dotted line, from {said(reached)} rad/s on."
+        " The axis comes to the upright, on the upper dotted line, from {reached} rad/s on."
         if 0 < reached < omega3
         else ""
     )
-    return (
-        f"What a top with {top_in_words(body)} does that starts at $θ = {degrees(theta)}$ with $θ̇ "
-        "= 0$, for each $ω₃$ and $φ̇$: waves, or loops (hatched), with cusps between (dashed), or "
-        f"a way through the vertical (dotted).{upright} Solid: steady precession.{begins}"
-    )
-
-
-def _regimes_in_words(body: HeavyTop, theta: float, omega3: float, phi_dot: float) -> str:
-    _leaning(theta)
-    points = np.linspace(0.05, 1, 20) * omega3, np.linspace(-0.99, 0.99, 20) * phi_dot
-    regimes = regime_map(body, theta, *points)
-    share = float(np.mean(regimes == "loops"))
-    return (
-        "A map over the spin and the first rate of precession. Areas of waves and hatched areas of "
-        f"loops, the latter {spoken(100 * share)} per cent of it, are parted by dashed lines of "
-        "cusps and dotted lines through the vertical. A solid curve of steady precession begins at "
-        f"the least spin, {spoken(body.smallest_spin(theta))} radians per second, and splits "
-        "into the slow and the fast one."
+    return facts_of(
+        body,
+        least=least,
+        reached=reached,
+        upright=upright,
+        begins=" It begins at $ω₃ = {least}$ rad/s." if 0 < least < omega3 else "",
+        loops=float(np.mean(regime_map(body, theta, *points) == "loops")),
     )
 
 
@@ -429,7 +380,13 @@ REGIMES = Drawing(
         Parameter("omega3", 60.0, "largest $ω₃$", "rad/s", above=0),
         Parameter("phi_dot", 30.0, "largest $|φ̇|$", "rad/s", above=0),
     ),
-    alone(2.8, of_top(draw_regimes)),
-    of_top(_regimes_caption),
-    of_top(_regimes_in_words),
+    pen.alone(2.8, of_top(draw_regimes)),
+    "What a top with {top} does that starts at $θ = {theta:°}$ with $θ̇ = 0$, for each $ω₃$ and "
+    "$φ̇$: waves, or loops (hatched), with cusps between (dashed), or a way through the vertical "
+    "(dotted).{upright} Solid: steady precession.{begins}",
+    "A map over the spin and the first rate of precession. Areas of waves and hatched areas of "
+    "loops, the latter {loops:%} per cent of it, are parted by dashed lines of cusps and dotted "
+    "lines through the vertical. A solid curve of steady precession begins at the least spin, "
+    "{least} radians per second, and splits into the slow and the fast one.",
+    of_top(_regimes_facts),
 )

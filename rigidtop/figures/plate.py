@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 from scipy.spatial.transform import Rotation
 
 from rigidtop.derivations.exercises.precession_of_rotation_axis import (
@@ -15,12 +14,12 @@ from rigidtop.derivations.exercises.precession_of_rotation_axis import (
     plate_rates,
     wobbling_plate,
 )
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.rotors import solid_disc
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, Scene, View, paper
-from rigidtop.figures.style import Floats, degrees, name_at, said, spoken
+from rigidtop.figures.space import UPRIGHT, View
+from rigidtop.figures.style import Canvas, Floats
 from rigidtop.motion.attitude import from_euler_angles
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.trajectory import Trajectory
@@ -61,15 +60,18 @@ def turned(path: Trajectory) -> tuple[Floats, Floats]:
 def draw_turns(axes: Axes, path: Trajectory) -> None:
     """Turns of e₃ and of the mark against time (s); dots where `draw_plate` shows the plate."""
     pictures = slice(None, None, (len(path.t) - 1) // (PICTURES - 1))
-    styles = ((look.SECOND, "-", "_wobble"), (look.FIRST, look.DASHED, "_mark"))
-    words = ((f"{look.E3} about {look.L_VEC}", (-7, 5), "right"), ("mark", (3, -11), "left"))
-    for turns, (color, style, label), (name, aside, side) in zip(
-        turned(path), styles, words, strict=True
-    ):
-        axes.plot(path.t, turns, color=color, ls=style, label=label)
-        axes.plot(path.t[pictures], turns[pictures], "o", color=color, ms=4, label=f"{label}_dots")
-        k = int(0.64 * len(turns))
-        name_at(axes, float(path.t[k]), float(turns[k]), name, aside, ha=side, color=color)
+    k = int(0.64 * len(path.t))
+    wobble, mark = turned(path)
+    wobbles = f"{look.E3} about {look.L_VEC}"
+    parts = [
+        pen.Curve((path.t, wobble), look.SECOND, 1.3, label="_wobble"),
+        pen.Curve((path.t, mark), look.FIRST, 1.3, look.DASHED, label="_mark"),
+        pen.Mark((path.t[pictures], wobble[pictures]), look.SECOND, 4, label="_wobble_dots"),
+        pen.Mark((path.t[pictures], mark[pictures]), look.FIRST, 4, label="_mark_dots"),
+        pen.Words((path.t[k], wobble[k]), wobbles, (-7, 5), look.SECOND, "right"),
+        pen.Words((path.t[k], mark[k]), "mark", (3, -11), look.FIRST),
+    ]
+    pen.draw(axes, parts)
     axes.locator_params(axis="x", nbins=6)
     axes.set(xlabel="$t$  (s)", ylabel="turns")
 
@@ -78,25 +80,25 @@ def draw_plate(
     axes: Axes, attitude: Rotation, radius: float, thickness: float, *, named: bool = False
 ) -> None:
     """The plate at one moment, to scale, with the mark, e₃, and the direction of L, upright."""
-    scene, (e1, _, e3) = Scene(axes, VIEW), attitude.as_matrix().T
+    e1, _, e3 = attitude.as_matrix().T
     size = math.hypot(radius, thickness / 2)
     half, height = radius / size, thickness / size
-    solid_disc(scene, np.zeros(3), e3, half, height, zorder=2)
     above = 3.0 if float(e3 @ VIEW.axes[2]) > 0 else 1.0
     # Both lines begin where they leave the upper face.
     face, vertical = 0.5 * height * e3, 0.5 * height / float(e3[2]) * UPRIGHT
-    mark = face + half * e1
-    scene.line([face, mark], color=look.FIRST, lw=1.1, zorder=above)
-    style: dict[str, Any] = {"color": look.FIRST, "ms": 4.2, "clip_on": False, "label": "_mark"}
-    scene.dot(mark, zorder=above + 0.1, **style)
-    scene.line(
-        [vertical, REACH * UPRIGHT], color=look.MOMENTUM, lw=0.9, ls=look.DASHED, zorder=above
-    )
+    mark, top = face + half * e1, REACH * UPRIGHT
     tip = min(REACH, 0.98 / max(math.hypot(e3[0], e3[1]), 1e-9)) * e3
-    scene.arrow(tip, start=face, color=look.AXIS, lw=1.3, zorder=above + 0.2)
+    parts: list[pen.Part] = [
+        *pen.disc(0.0 * e3, e3, half, height),
+        pen.Curve([face, mark], look.FIRST, 1.1, z=above),
+        pen.Mark(mark, look.FIRST, 4.2, z=above + 0.1, label="_mark"),
+        pen.Curve([vertical, top], look.MOMENTUM, 0.9, look.DASHED, above),
+        pen.Arrow(tip, "", look.AXIS, 1.3, start=face, z=above + 0.2),
+    ]
     if named:
-        scene.words(tip, look.E3, (1, 3), color=look.AXIS)
-        scene.words(REACH * UPRIGHT, look.L_VEC, (-2, 3), color=look.MOMENTUM, ha="right")
+        parts.append(pen.Words(tip, look.E3, (1, 3), look.AXIS))
+        parts.append(pen.Words(top, look.L_VEC, (-2, 3), look.MOMENTUM, "right"))
+    pen.draw(axes, parts, VIEW)
 
 
 # --- Together ------------------------------------------------------------------------------------
@@ -120,32 +122,14 @@ def _draw(theta: float, radius: float, thickness: float, omega3: float) -> Canva
     for k, attitude in enumerate(path.rotation[:: (len(path.t) - 1) // (PICTURES - 1)]):
         place = drawn.add_axes((left + k * width / PICTURES, 0.61, width / PICTURES, 0.39))
         draw_plate(place, attitude, radius, thickness, named=k == 0)
-        paper(place, (-1.1, 1.1), (-1.1, 2.6))
+        pen.paper(place, (-1.1, 1.1), (-1.1, 2.6))
     return drawn
 
 
-def _caption(theta: float, radius: float, thickness: float, omega3: float) -> str:
-    found = answers(wobbling_plate, theta=theta, radius=radius, thickness=thickness, omega3=omega3)
-    return (
-        f"A plate of radius {said(radius)} m and thickness {said(thickness)} m that is thrown up "
-        f"with $ω₃ = {said(omega3)}$ rad/s and its axis $e₃$ tilted by $θ = {degrees(theta)}$ from "
-        f"$𝐋$, at {PICTURES} moments, every half of a wobble, and the turns of $e₃$ and of a mark "
-        f"on its rim about $𝐋$. The wobble, at {said(found['wobble'])} rad/s, is "
-        f"{said(found['wobble_to_mark'])} times as fast as the mark, at {said(found['mark'])} "
-        "rad/s on the mean; of a flat plate, tilted little, it is twice as fast. Feynman "
-        "remembered the two exchanged."
-    )
-
-
-def _in_words(theta: float, radius: float, thickness: float, omega3: float) -> str:
-    marks = float(turned(_path(thrown(theta, radius, thickness, omega3)))[1][-1])
-    return (
-        f"A plate seen from the side, {PICTURES} times: its axis leans to the right and to the "
-        f"left in turn, {spoken(math.degrees(theta))} degrees from the upright L, while a mark on "
-        "its rim begins in front and goes round anticlockwise as seen from above. Below, turns "
-        f"against time: while e3 goes round L {WOBBLES} times, in a straight line, those of "
-        f"the mark come to {spoken(marks)}."
-    )
+def _facts(**values: float) -> dict[str, Any]:
+    marks = float(turned(_path(thrown(**values)))[1][-1])
+    facts = {"pictures": PICTURES, "wobbles": WOBBLES, "marks": marks}
+    return facts | answers(wobbling_plate, **values)
 
 
 WOBBLING_PLATE = Drawing(
@@ -154,7 +138,16 @@ WOBBLING_PLATE = Drawing(
     "",
     wobbling_plate.parameters,
     _draw,
-    _caption,
-    _in_words,
+    "A plate of radius {radius} m and thickness {thickness} m that is thrown up with $ω₃ = "
+    "{omega3}$ rad/s and its axis $e₃$ tilted by $θ = {theta:°}$ from $𝐋$, at {pictures} moments, "
+    "every half of a wobble, and the turns of $e₃$ and of a mark on its rim about $𝐋$. The wobble, "
+    "at {wobble} rad/s, is {wobble_to_mark} times as fast as the mark, at {mark} rad/s on the "
+    "mean; of a flat plate, tilted little, it is twice as fast. Feynman remembered the two "
+    "exchanged.",
+    "A plate seen from the side, {pictures} times: its axis leans to the right and to the left in "
+    "turn, {theta:°} degrees from the upright L, while a mark on its rim begins in front and goes "
+    "round anticlockwise as seen from above. Below, turns against time: while e3 goes round L "
+    "{wobbles} times, in a straight line, those of the mark come to {marks}.",
+    _facts,
     motions=one(thrown),
 )

@@ -9,11 +9,11 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.precession_of_rotation_axis import DAY, earth_euler_period
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import paper
-from rigidtop.figures.style import Floats, alone, head, in_math, name_at, said, spoken
+from rigidtop.figures.style import Floats, in_math
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 
@@ -58,80 +58,49 @@ def draw_polar_motion(
     )
     rigid, yielding = wobble(H, angle), wobble(H, angle, max(found["share"], 0.0))
     once = np.linspace(0.0, found["period"], 361)
-    way = way_of_the_pole(rigid, radius, once * DAY * omega3)
+    way = way_of_the_pole(rigid, radius, once * DAY * omega3).T
     size = found["ground"]
-    axes.plot(*way.T, color=look.OMEGA, lw=1.3, label="_way")
-    dot: dict[str, Any] = {
-        "ms": 3.5,
-        "mfc": look.INK,
-        "mec": look.INK,
-        "zorder": 5,
-        "label": "_rigid",
-    }
-    ring = {"ms": 5.5, "mfc": "white", "mec": look.SECOND, "zorder": 4.5, "label": "_yielding"}
-    for motion, period, outwards, mark in (
-        (rigid, found["period"], 1, dot),
-        (yielding, observed, -1, ring),
+    parts: list[pen.Part] = [
+        pen.Curve((way[0], way[1]), look.OMEGA, 1.3, label="_way"),
+        # Heads where there are no days of either.
+        *(
+            pen.Curve((way[0, k : k + 9], way[1, k : k + 9]), look.OMEGA, head=True)
+            for k in (12, 192)
+        ),
+        pen.Curve(([0.0, size], 0.0), look.GREY, 0.9, look.DASHED),
+        pen.Mark((0.0, 0.0), look.AXIS, 4, z=5),
+        pen.Mark((way[0, 0], way[1, 0]), look.OMEGA, 6.5, z=6),
+        pen.Words((0.0, 0.0), look.E3, (-6, 0), look.AXIS, "right", "center", 10),
+        pen.Words((size, 0.0), look.OMEGA_VEC, (7, -3), look.OMEGA, size=10),
+        pen.Words(
+            (0.5 * size, 0.0), f"${in_math(size)}$ m", (0, 3), look.NOTE, "center", size=look.SMALL
+        ),
+    ]
+    dot: dict[str, Any] = {"z": 5.0}
+    ring: dict[str, Any] = {"size": 5.5, "fill": "white", "z": 4.5}
+    for motion, period, outwards, words, color, up, mark in (
+        (rigid, found["period"], 12, "outside: rigid", look.INK, 0.32, dot),
+        (yielding, observed, -12, "inside: observed", look.SECOND, -0.38, ring),
     ):
         days = marked_days(period)
-        points = way_of_the_pole(motion, radius, days * DAY * omega3)
-        axes.plot(*points.T, "o", **mark)
-        for day, point in zip(days[1:], points[1:], strict=True):
-            x, y = map(float, point)
-            name_at(
-                axes,
-                x,
-                y,
-                f"${in_math(float(day), 4)}$",
-                (12 * outwards * x / size, 12 * outwards * y / size),
-                color=mark["mec"],
-                ha="center",
-                va="center",
-                fontsize=look.SMALL,
+        x, y = way_of_the_pole(motion, radius, days * DAY * omega3).T
+        label = "_rigid" if outwards > 0 else "_yielding"
+        parts.append(pen.Mark((x, y), color, label=label, **mark))
+        for k, day in enumerate(days[1:], 1):
+            shift, number = (outwards * x[k] / size, outwards * y[k] / size), in_math(float(day), 4)
+            parts.append(
+                pen.Words((x[k], y[k]), f"${number}$", shift, color, "center", "center", look.SMALL)
             )
-    for k in (15, 195):  # where there are no days of either
-        head(axes, way[k], way[k + 5], width=0.18, length=0.4, color=look.OMEGA, lw=0.5, zorder=4)
-    axes.plot([0.0, size], [0.0, 0.0], color=look.GREY, lw=0.9, ls=look.DASHED, zorder=2)
-    axes.plot(0, 0, "o", color=look.AXIS, ms=4, zorder=5)
-    axes.plot(*way[0], "o", color=look.OMEGA, ms=6.5, zorder=6)
-    name_at(axes, 0.0, 0.0, look.E3, (-6, 0), color=look.AXIS, ha="right", va="center", fontsize=10)
-    name_at(axes, size, 0.0, look.OMEGA_VEC, (7, -3), color=look.OMEGA, fontsize=10)
-    name_at(axes, 0.5 * size, 0.0, f"${in_math(size)}$ m", (0, 3), ha="center", fontsize=look.SMALL)
-    for words, period, up, color in (
-        ("outside: rigid", found["period"], 0.32, look.INK),
-        ("inside: observed", observed, -0.38, look.SECOND),
-    ):
         text = f"{words},\n${in_math(period)}$ days"
-        name_at(axes, 0.0, up * size, text, color=color, ha="center", va="center")
-    paper(axes, (-1.3 * size, 1.3 * size), (-1.2 * size, 1.2 * size))
+        parts.append(pen.Words((0.0, up * size), text, (0, 0), color, "center", "center"))
+    pen.draw(axes, parts)
+    pen.paper(axes, (-1.3 * size, 1.3 * size), (-1.2 * size, 1.2 * size))
 
 
-def _caption(H: float, omega3: float, observed: float, angle: float, radius: float) -> str:
-    found = answers(
-        earth_euler_period, H=H, omega3=omega3, observed=observed, angle=angle, radius=radius
-    )
-    seconds = math.degrees(angle) * 3600
-    nearer = radius * (math.tan(angle) - math.tan(angle - found["space_cone"]))
-    return (
-        "The pole of rotation, where $𝛚$ meets the ground, goes round the pole of the figure, "
-        f"$e₃$: {found['direction']}; seen from above. With $H = {said(H)}$ and $ω₃ = "
-        f"{said(omega3)}$ rad/s a rigid Earth needs {said(found['period'])} days (dots, days "
-        f"outside). Observed are {said(observed, 4)} (circles, days inside), as if "
-        f"{said(100 * found['share'])} % of the bulge followed $𝛚$. At ${said(seconds)}″$ from "
-        f"$e₃$ and {said(radius)} m from the centre the circle has a radius of "
-        f"{said(found['ground'])} m; for a rigid Earth $𝐋$ is {said(nearer)} m nearer to $e₃$ than "
-        "$𝛚$."
-    )
-
-
-def _in_words(**values: float) -> str:
-    found = answers(earth_euler_period, **values)
-    return (
-        f"A circle of radius {spoken(found['ground'])} metres around the point e3, which the tip "
-        "of omega goes round counterclockwise, seen from above. Dots with the days of a rigid "
-        f"Earth, which is back after {spoken(found['period'])}, and open circles with those of the "
-        f"observed wobble, which is back after {spoken(values['observed'])}."
-    )
+def _facts(angle: float, radius: float, **others: float) -> dict[str, Any]:
+    facts = answers(earth_euler_period, angle=angle, radius=radius, **others)
+    nearer = radius * (math.tan(angle) - math.tan(angle - facts["space_cone"]))
+    return facts | {"seconds": math.degrees(angle) * 3600, "nearer": nearer}
 
 
 POLAR_MOTION = Drawing(
@@ -139,7 +108,15 @@ POLAR_MOTION = Drawing(
     "The wobble of the Earth: rigid, and as it is observed",
     "",
     earth_euler_period.parameters,
-    alone(3.05, draw_polar_motion),
-    _caption,
-    _in_words,
+    pen.alone(3.05, draw_polar_motion),
+    "The pole of rotation, where $𝛚$ meets the ground, goes round the pole of the figure, $e₃$: "
+    "{direction}; seen from above. With $H = {H}$ and $ω₃ = {omega3}$ rad/s a rigid Earth needs "
+    "{period} days (dots, days outside). Observed are {observed:4} (circles, days inside), as if "
+    "{share:%} % of the bulge followed $𝛚$. At ${seconds}″$ from $e₃$ and {radius} m from the "
+    "centre the circle has a radius of {ground} m; for a rigid Earth $𝐋$ is {nearer} m nearer to "
+    "$e₃$ than $𝛚$.",
+    "A circle of radius {ground} metres around the point e3, which the tip of omega goes round "
+    "counterclockwise, seen from above. Dots with the days of a rigid Earth, which is back after "
+    "{period}, and open circles with those of the observed wobble, which is back after {observed}.",
+    _facts,
 )

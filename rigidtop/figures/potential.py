@@ -3,28 +3,29 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import (
+    RATE,
     SPIN,
     THETA,
     TOP,
+    facts_of,
     has_phi,
     rates_in_words,
-    start_in_words,
-    top_in_words,
     vertical,
 )
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.style import Floats, alone, degrees, name_at, spoken
+from rigidtop.figures.style import Floats
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.rigid import SymmetricTop
 from rigidtop.motion.top import HeavyTop
-from rigidtop.parameters import Parameter
 
 NEAREST = 1e-4
 """To the vertical that the curve is drawn (rad); there it may be infinite."""
@@ -53,25 +54,22 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
     low = int(np.argmin(potential))
     depth = max(energy - float(potential[low]), 1e-3 * top.M * top.g * top.R)
     bottom = float(potential[low]) - 1.0 * depth
-    axes.plot(np.degrees(angles), potential, color=look.FIRST, label="_potential")
     inside = np.clip(np.linspace(turns[0], turns[1], 300), *shown)
-    axes.fill_between(
-        np.degrees(inside),
-        np.minimum(effective_potential(top, inside, p_phi, p_psi), energy),
-        energy,
-        color=look.FIRST,
-        alpha=0.12,
-        lw=0,
-    )
+    below = np.minimum(effective_potential(top, inside, p_phi, p_psi), energy)
     at = np.degrees(turns)
-    axes.plot(at, [energy, energy], "-o", color=look.INK, lw=1.0, ms=3.5, label="_energy")
-    for turn in at:
-        axes.plot([turn, turn], [bottom, energy], color=look.GREY, lw=0.8, ls=look.DOTTED)
-    name_at(axes, float(at[1]), energy, "$E$", (7, 0), va="center", color=look.INK)
+    parts: list[pen.Part] = [
+        pen.Curve((np.degrees(angles), potential), look.FIRST, 1.3, label="_potential"),
+        pen.Band(np.degrees(inside), below, energy),
+        *(pen.Curve((turn, [bottom, energy]), look.GREY, 0.8, look.DOTTED) for turn in at),
+        pen.Curve((at, energy), lw=1.0, label="_energy"),
+        pen.Mark((at, energy)),
+        pen.Words((at[1], energy), "$E$", (7, 0), va="center"),
+    ]
     if 0 < low < len(angles) - 1:
-        place = float(np.degrees(angles[low])), float(potential[low])
-        axes.plot(*place, "s", color=look.SECOND, ms=4.5)
-        name_at(axes, *place, "steady", (0, -6), ha="center", va="top", color=look.SECOND)
+        place = math.degrees(angles[low]), float(potential[low])
+        parts.append(pen.Mark(place, look.SECOND, 4.5, "s"))
+        parts.append(pen.Words(place, "steady", (0, -6), look.SECOND, "center", "top"))
+    pen.draw(axes, parts)
     axes.set(
         xlim=np.degrees(shown),
         ylim=(bottom, energy + 1.6 * depth),
@@ -85,36 +83,26 @@ def _motion(theta: float, phi_dot: float, omega3: float, **top: float) -> TopMot
     return HeavyTop(**top).motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
 
 
-def _caption(theta: float, phi_dot: float, omega3: float, **top: float) -> str:
-    motion = _motion(theta, phi_dot, omega3, **top)
+def _facts(theta: float, phi_dot: float, **others: float) -> dict[str, Any]:
+    motion = _motion(theta=theta, phi_dot=phi_dot, **others)
     first, last = motion.turning_points
-    rates = rates_in_words(theta, phi_dot)
-    if phi_dot == 0 and not vertical(theta):
-        rates = "$φ̇ = θ̇ = 0$"
-    return (
-        "The effective potential $U$ and the energy $E$, both less the constant $p_ψ²/(2λ₃)$, of a "
-        f"top with {top_in_words(motion.body)} that starts at "
-        f"{start_in_words(theta, omega3)} with {rates}. "
-        f"$θ$ runs between the turning points, {degrees(first)} and {degrees(last)} (dotted); "
-        "the square marks the steady precession with the same momenta."
-    )
-
-
-def _in_words(**values: float) -> str:
-    first, last = np.degrees(_motion(**values).turning_points)
-    return (
-        "A valley-shaped curve of the effective potential against theta. A horizontal line at the "
-        f"energy E meets it at two turning points, {spoken(first)} and {spoken(last)} degrees; "
-        "the lowest point lies between them."
-    )
+    at_rest = phi_dot == 0 and not vertical(theta)
+    rates = "$φ̇ = θ̇ = 0$" if at_rest else rates_in_words(theta)
+    return facts_of(motion.body, first=first, last=last, rates=rates, theta_dot=0.0)
 
 
 EFFECTIVE_POTENTIAL = Drawing(
     "effective-potential",
     "The effective potential with the turning points",
     "3.5.4",
-    (*TOP, THETA, Parameter("phi_dot", 0.0, "$φ̇$ at the start", "rad/s"), SPIN),
-    alone(2.5, lambda axes, **values: draw_effective_potential(axes, _motion(**values))),
-    _caption,
-    _in_words,
+    (*TOP, THETA, RATE, SPIN),
+    pen.alone(2.5, lambda axes, **values: draw_effective_potential(axes, _motion(**values))),
+    "The effective potential $U$ and the energy $E$, both less the constant $p_ψ²/(2λ₃)$, of a top "
+    "with {top} that starts at {start} with {rates}. $θ$ runs between the turning points, "
+    "{first:°} and {last:°} (dotted); the square marks the steady precession with the same "
+    "momenta.",
+    "A valley-shaped curve of the effective potential against theta. A horizontal line at the "
+    "energy E meets it at two turning points, {first:°} and {last:°} degrees; the lowest point "
+    "lies between them.",
+    _facts,
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cache
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,15 +14,19 @@ from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
 from rigidtop.derivations.exercises import parallel
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.bodies import SPIN, THETA, TOP, of_top, top_in_words
+from rigidtop.figures.bodies import SPIN, THETA, TOP, facts_of, of_top
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.style import Floats, alone, degrees, name_at, said, spoken
+from rigidtop.figures.style import Floats
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 
 # --- Ω₋ and Ω₊ against ω₃ ------------------------------------------------------------------------
+
+
+ABOVE: Any = {"ha": "center", "shift": (0, 6)}
 
 
 def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> None:
@@ -39,85 +44,54 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
     weight, cosine = top.M * top.g * top.R, math.cos(theta)
     leaning = math.isfinite(marked[1])  # horizontal, there is no fast precession
     slow = weight / (top.lambda3 * spins)
-    axes.plot(spins, slow, color=look.GREY, lw=1.0, ls=look.DASHED)
-    if least:
-        axes.axvline(least, color=look.GREY, lw=0.9, ls=look.DOTTED)
-    if leaning:
-        fast = top.lambda3 * spins / (top.lambda1 * cosine)
-        axes.plot(spins, fast, color=look.GREY, lw=1.0, ls=look.DASHED)
-        axes.plot(spins, rates[:, 1], color=look.SECOND, label="_fast")
-        axes.plot(omega3, marked[1], "o", color=look.SECOND, ms=4)
-        name_at(axes, last, rates[-1, 1], r"$\Omega_+$", (3, 0), va="center", color=look.SECOND)
-    axes.plot(spins, rates[:, 0], color=look.FIRST, label="_slow")
-    axes.plot(omega3, marked[0], "o", color=look.FIRST, ms=4)
-    name_at(axes, last, rates[-1, 0], r"$\Omega_-$", (3, 0), va="center", color=look.FIRST)
-    top_edge = max(rates[-1, 1] if leaning else 0.0, 0.0) or 4 * float(marked[0])
-    bottom = min(rates[-1, 1], 0.0) if leaning else 0.0
-    axes.set(xlim=(0.5 * least, last), ylim=(1.02 * bottom, 1.08 * top_edge))
+    fast = top.lambda3 * spins / (top.lambda1 * cosine) if leaning else slow
+    height = max(rates[-1, 1] if leaning else 0.0, 0.0) or 4 * float(marked[0])
+    low, high = 1.02 * min(rates[-1, 1] if leaning else 0.0, 0.0), 1.08 * height
     where = least + 0.55 * (last - least)
-    if leaning:
-        name_at(
-            axes,
-            where,
-            float(np.interp(where, spins, fast)),
-            r"$\lambda_3\omega_3/(\lambda_1\cos\theta)$",
-            (-5, 5) if cosine > 0 else (5, 3),
-            ha="right" if cosine > 0 else "left",
-            va="bottom",
-        )
-    name_at(
-        axes,
-        where,
-        float(np.interp(where, spins, slow)),
-        r"$MgR/(\lambda_3\omega_3)$",
-        (0, 6),
-        ha="center",
-    )
+    beside = {"ha": "right", "shift": (-5, 5)} if cosine > 0 else {"ha": "left", "shift": (5, 3)}
+    parts: list[pen.Part] = []
+    for k, name, color, law, formula, place in (
+        (1, "fast", look.SECOND, fast, r"$\lambda_3\omega_3/(\lambda_1\cos\theta)$", beside),
+        (0, "slow", look.FIRST, slow, r"$MgR/(\lambda_3\omega_3)$", ABOVE),
+    )[not leaning :]:
+        letter, at = rf"$\Omega_{'-+'[k]}$", (where, float(np.interp(where, spins, law)))
+        parts += [
+            pen.Curve((spins, law), look.GREY, 1.0, look.DASHED),
+            pen.Curve((spins, rates[:, k]), color, 1.3, label=f"_{name}"),
+            pen.Mark((omega3, marked[k]), color, 4),
+            pen.Words((last, rates[-1, k]), letter, (3, 0), color, va="center"),
+            pen.Words(at, formula, color=look.NOTE, **place),
+        ]
     if least:
-        name_at(
-            axes,
-            least,
-            1.08 * top_edge,
-            r"$\frac{2}{\lambda_3}\sqrt{\lambda_1 MgR\,\cos\theta}$",
-            (4, -1),
-            va="top",
-            color=look.INK,
-        )
+        formula = r"$\frac{2}{\lambda_3}\sqrt{\lambda_1 MgR\,\cos\theta}$"
+        parts += [pen.Rule(x=least), pen.Words((least, high), formula, (4, -1), va="top")]
+    pen.draw(axes, parts)
+    axes.set(xlim=(0.5 * least, last), ylim=(low, high))
     axes.set(xlabel=r"$\omega_3$  (rad/s)", ylabel=r"$\Omega$  (rad/s)")
 
 
-def _precession_rates_caption(body: HeavyTop, theta: float, omega3: float) -> str:
+def _rates_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, Any]:
     slow, fast = body.steady_precession(theta, omega3)
     least = body.smallest_spin(theta)
-    roots = f"$Ω₋ = {said(slow)}$ rad/s"
-    if math.isfinite(fast):
-        roots += f" and $Ω₊ = {said(fast)}$ rad/s"
-    left = (
-        f" Left of the dotted line, $ω₃ = {said(least)}$ rad/s, no steady precession exists."
-        if least
-        else ""
+    left = " Left of the dotted line, $ω₃ = {least}$ rad/s, no steady precession exists."
+    standing = (
+        "Two curves that begin at a common point at the least spin, {least} radians per second. "
+        "The fast rate rises to the straight line lambda3 omega3 over lambda1 cos theta, the slow "
+        "rate falls to the hyperbola M g R over lambda3 omega3; at {omega3} they are {fast} and "
+        "{slow}."
     )
-    return (
-        f"The roots of (3.57) against $ω₃$ at $θ = {degrees(theta)}$, for {top_in_words(body)}; at "
-        f"$ω₃ = {said(omega3)}$ rad/s they are {roots}. Dashed: what the notes give for large $ω₃$."
-        f"{left}"
+    hanging = (
+        "Rates of steady precession against the spin of a top that does not stand above the "
+        "horizontal: at {omega3} radians per second the slow one is {slow} and the fast one {fast}."
     )
-
-
-def _precession_rates_in_words(body: HeavyTop, theta: float, omega3: float) -> str:
-    slow, fast = body.steady_precession(theta, omega3)
-    least = body.smallest_spin(theta)
-    if not least:
-        return (
-            "Rates of steady precession against the spin of a top that does not stand above the "
-            f"horizontal: at {spoken(omega3)} radians per second the slow one is {spoken(slow)} "
-            f"and the fast one {spoken(fast)}."
-        )
-    return (
-        f"Two curves that begin at a common point at the least spin, {spoken(least)} radians per "
-        "second. The fast rate rises to the straight line lambda3 omega3 over lambda1 cos theta, "
-        f"the slow rate falls to the hyperbola M g R over lambda3 omega3; at {spoken(omega3)} they "
-        f"are {spoken(fast)} and {spoken(slow)}."
+    return facts_of(
+        body,
+        slow=slow,
+        fast=fast,
+        least=least,
+        other=" and $Ω₊ = {fast}$ rad/s" if math.isfinite(fast) else "",
+        left=left if least else "",
+        course=standing if least else hanging,
     )
 
 
@@ -126,9 +100,11 @@ PRECESSION_RATES = Drawing(
     "$Ω₋$ and $Ω₊$ against $ω₃$, with the threshold",
     "3.5.3",
     (*TOP, THETA, SPIN),
-    alone(2.5, of_top(draw_precession_rates)),
-    of_top(_precession_rates_caption),
-    of_top(_precession_rates_in_words),
+    pen.alone(2.5, of_top(draw_precession_rates)),
+    "The roots of (3.57) against $ω₃$ at $θ = {theta:°}$, for {top}; at $ω₃ = {omega3}$ rad/s they "
+    "are $Ω₋ = {slow}$ rad/s{other}. Dashed: what the notes give for large $ω₃$.{left}",
+    "{course}",
+    of_top(_rates_facts),
 )
 
 # --- How good the formulas for large ω₃ are ------------------------------------------------------
@@ -176,28 +152,24 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
         made: Floats = np.abs(large_spin_formulas(top, theta, at) / exact - 1)
         return made
 
-    lines, dots = errors(spins), errors(marked)
-    for order, width in ((0, 1.5), (1, 1.0)):
+    (lines, dots), here = (errors(spins), errors(marked)), weakness(top, theta, omega3)
+    parts: list[pen.Part] = [
+        pen.Rule(y=0.01, lw=0.8),
+        pen.Words((epsilon[0], 0.01), "1 %", (4, 3), look.NOTE),
+    ]
+    for order, width, words in ((0, 1.5, "leading order"), (1, 1.0, "next order")):
         for root, (color, style) in enumerate(((look.FIRST, "-"), (look.SECOND, look.DASHED))):
-            axes.plot(epsilon, lines[order, root], color=color, ls=style, lw=width)
-            axes.plot(weakness(top, theta, omega3), dots[order, root], "o", color=color, ms=3.5)
-    axes.axhline(0.01, color=look.GREY, lw=0.8, ls=look.DOTTED)
+            parts.append(pen.Curve((epsilon, lines[order, root]), color, width, style))
+            parts.append(pen.Mark((here, float(dots[order, root, 0])), color))
+        k = 90 + 40 * order
+        place = float(epsilon[k]), float(lines[order].max(axis=0)[k])
+        parts.append(pen.Words(place, words, (-4, 4), ha="right"))
+    pen.draw(axes, parts)
     axes.set(
-        xscale="log", yscale="log", xlim=(epsilon[0], 0.4), ylim=(float(lines[1].min()) / 3, 2.0)
-    )
-    name_at(axes, epsilon[0], 0.01, "1 %", (4, 3))
-    for order, words in ((0, "leading order"), (1, "next order")):
-        at = 90 + 40 * order
-        name_at(
-            axes,
-            float(epsilon[at]),
-            float(lines[order].max(axis=0)[at]),
-            words,
-            (-4, 4),
-            ha="right",
-            color=look.INK,
-        )
-    axes.set(
+        xscale="log",
+        yscale="log",
+        xlim=(epsilon[0], 0.4),
+        ylim=(float(lines[1].min()) / 3, 2.0),
         xlabel=r"$\epsilon = \lambda_1 MgR\,\cos\theta/(\lambda_3\omega_3)^2$",
         ylabel="relative error",
     )
@@ -208,32 +180,11 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
     axes.legend(handles=handles, loc="lower right", handlelength=2.2)
 
 
-def _large_spin_errors(body: HeavyTop, theta: float, omega3: float) -> tuple[float, float, float]:
+def _asymptotics_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, Any]:
     exact = body.steady_precession(theta, omega3)
     lead, _ = large_spin_formulas(body, theta, np.array([omega3]))
     slow, fast = (abs(float(a[0]) / b - 1) for a, b in zip(lead, exact, strict=True))
-    return weakness(body, theta, omega3), slow, fast
-
-
-def _asymptotics_caption(body: HeavyTop, theta: float, omega3: float) -> str:
-    epsilon, slow, fast = _large_spin_errors(body, theta, omega3)
-    return (
-        "The relative error of $Ω₋ ≈ MgR/(λ₃ω₃)$ and $Ω₊ ≈ λ₃ω₃/(λ₁ cos θ)$, and of the same with "
-        "the next term in $ε$, against $ε$; at $ε = 1/4$ the two roots of (3.57) meet. Dots: a "
-        f"top with {top_in_words(body)} at $θ = {degrees(theta)}$ and $ω₃ = "
-        f"{said(omega3)}$ rad/s, $ε = {said(epsilon)}$, where the first are off by "
-        f"{said(100 * slow)} and {said(100 * fast)} %."
-    )
-
-
-def _asymptotics_in_words(body: HeavyTop, theta: float, omega3: float) -> str:
-    epsilon, slow, fast = _large_spin_errors(body, theta, omega3)
-    return (
-        "Relative errors against epsilon on logarithmic scales. To leading order the errors of "
-        "both rates are about epsilon itself; with the next term they are of the order of its "
-        f"square. At epsilon {spoken(epsilon)} they are {spoken(slow)} and {spoken(fast)}. A "
-        "dotted line marks one per cent."
-    )
+    return facts_of(body, epsilon=weakness(body, theta, omega3), slow=slow, fast=fast)
 
 
 UPWARD = Parameter("theta", math.pi / 3, "$θ$", "rad", least=0, most=1.57)
@@ -243,9 +194,15 @@ ASYMPTOTICS = Drawing(
     "How good the formulas for large $ω₃$ are",
     "",
     (*TOP, UPWARD, SPIN),
-    alone(2.6, of_top(draw_asymptotics)),
-    of_top(_asymptotics_caption),
-    of_top(_asymptotics_in_words),
+    pen.alone(2.6, of_top(draw_asymptotics)),
+    "The relative error of $Ω₋ ≈ MgR/(λ₃ω₃)$ and $Ω₊ ≈ λ₃ω₃/(λ₁ cos θ)$, and of the same with the "
+    "next term in $ε$, against $ε$; at $ε = 1/4$ the two roots of (3.57) meet. Dots: a top with "
+    "{top} at $θ = {theta:°}$ and $ω₃ = {omega3}$ rad/s, $ε = {epsilon}$, where the first are off "
+    "by {slow:%} and {fast:%} %.",
+    "Relative errors against epsilon on logarithmic scales. To leading order the errors of both "
+    "rates are about epsilon itself; with the next term they are of the order of its square. At "
+    "epsilon {epsilon} they are {slow} and {fast}. A dotted line marks one per cent.",
+    of_top(_asymptotics_facts),
 )
 
 # --- L and ω of a fast top are nearly parallel ---------------------------------------------------
@@ -325,59 +282,36 @@ def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
     times = _over_nutations(motion)
     angle = np.degrees(angle_to_momentum(motion, times))
     bound = math.degrees(bound_of_angle(motion))
-    axes.plot(times, angle, color=look.FIRST, label="_angle")
-    axes.axhline(bound, color=look.SECOND, lw=1.1, ls=look.DASHED, label="_bound")
-    axes.set(xlim=(0, times[-1]), ylim=(0, 1.3 * bound or 1.0))
-    name_at(
-        axes,
-        0.0,
-        bound,
-        r"$\arctan(2\epsilon_0\,|1-\lambda_3/\lambda_1|\,\sin\theta_\mathrm{max})$",
-        (4, 5),
-        va="bottom",
-        color=look.SECOND,
-    )
-    axes.set(
-        xlabel="$t$  (s)", ylabel=r"angle of $\mathbf{L}$ and $\boldsymbol{\omega}$  (degrees)"
-    )
+    formula = r"$\arctan(2\epsilon_0\,|1-\lambda_3/\lambda_1|\,\sin\theta_\mathrm{max})$"
+    parts = [
+        pen.Curve((times, angle), look.FIRST, 1.3, label="_angle"),
+        pen.Rule(y=bound, color=look.SECOND, lw=1.1, ls=look.DASHED, label="_bound"),
+        pen.Words((0.0, bound), formula, (4, 5), look.SECOND, va="bottom"),
+    ]
+    pen.draw(axes, parts)
+    ylabel = r"angle of $\mathbf{L}$ and $\boldsymbol{\omega}$  (degrees)"
+    limits = (0, times[-1]), (0, 1.3 * bound or 1.0)
+    axes.set(xlim=limits[0], ylim=limits[1], xlabel="$t$  (s)", ylabel=ylabel)
 
 
-def _parallel_caption(body: HeavyTop, theta: float, omega3: float) -> str:
-    motion = body.motion(theta=theta, omega3=omega3)
-    weak = body.lambda1 * body.M * body.g * body.R / (body.lambda3 * omega3) ** 2
-    largest = largest_angle(motion)
-    if not largest:
-        course = "It is zero all the time."
-    elif widest_between(motion):
-        course = (
-            f"It is zero at every cusp and {degrees(largest)} at most, "
-            "$arcsin(|λ₁ − λ₃|/(λ₁ + λ₃))$, on the way down and again on the way up."
-        )
-    else:
-        course = f"It is zero at every cusp and {degrees(largest)} at most."
-    return (
-        f"The angle between $𝐋$ and $𝛚$ of a top with {top_in_words(body)} that is let go at $θ = "
-        f"{degrees(theta)}$ with $ω₃ = {said(omega3)}$ rad/s and $𝛚$ along $e₃$. {course} Dashed: "
-        "the bound that holds at any spin, its tangent $2ε₀|1 − λ₃/λ₁| sin θ$ with the largest "
-        f"$sin θ$ that occurs, here {degrees(bound_of_angle(motion))} with $ε₀ = λ₁MgR/(λ₃ω₃)² = "
-        f"{said(weak)}$."
-    )
-
-
-def _parallel_in_words(body: HeavyTop, theta: float, omega3: float) -> str:
+def _parallel_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, Any]:
     motion = body.motion(theta=theta, omega3=omega3)
     largest = largest_angle(motion)
-    if not largest:
-        course = "is zero all the time"
-    else:
-        often = "twice" if widest_between(motion) else "once"
-        course = (
-            f"goes from zero up and comes down again, {often} in every nutation; it is "
-            f"{spoken(math.degrees(largest))} degrees at most"
-        )
-    return (
-        f"The angle between L and omega against time {course}. A dashed line that it never crosses "
-        f"is at the bound, {spoken(math.degrees(bound_of_angle(motion)))} degrees."
+    between = widest_between(motion)
+    rises = (
+        f"goes from zero up and comes down again, {'twice' if between else 'once'} in every "
+        "nutation; it is {largest:°} degrees at most"
+    )
+    course, most = "It is zero at every cusp and {largest:°} at most", "."
+    if between:
+        most = ", $arcsin(|λ₁ − λ₃|/(λ₁ + λ₃))$, on the way down and again on the way up."
+    return facts_of(
+        body,
+        largest=largest,
+        course=course + most if largest else "It is zero all the time.",
+        goes=rises if largest else "is zero all the time",
+        bound=bound_of_angle(motion),
+        weak=body.lambda1 * body.M * body.g * body.R / (body.lambda3 * omega3) ** 2,
     )
 
 
@@ -386,7 +320,12 @@ PARALLEL = Drawing(
     "$𝐋$ and $𝛚$ of a fast top are nearly parallel",
     "",
     (*TOP, THETA, Parameter("omega3", 150.0, "$ω₃$", "rad/s", above=0)),
-    alone(2.3, of_top(draw_parallel)),
-    of_top(_parallel_caption),
-    of_top(_parallel_in_words),
+    pen.alone(2.3, of_top(draw_parallel)),
+    "The angle between $𝐋$ and $𝛚$ of a top with {top} that is let go at $θ = {theta:°}$ with $ω₃ "
+    "= {omega3}$ rad/s and $𝛚$ along $e₃$. {course} Dashed: the bound that holds at any spin, its "
+    "tangent $2ε₀|1 − λ₃/λ₁| sin θ$ with the largest $sin θ$ that occurs, here {bound:°} with $ε₀ "
+    "= λ₁MgR/(λ₃ω₃)² = {weak}$.",
+    "The angle between L and omega against time {goes}. A dashed line that it never crosses is at "
+    "the bound, {bound:°} degrees.",
+    of_top(_parallel_facts),
 )

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 from scipy.spatial.transform import Rotation
 
 from rigidtop.derivations.exercises.rotation_matrices import about, rotations_form_a_group
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import Scene, View, paper, unit
-from rigidtop.figures.style import Floats, canvas, degrees, said, spoken
+from rigidtop.figures.space import View, unit
+from rigidtop.figures.style import Canvas, Floats, canvas, degrees, said
 
 VIEW = View(azimuth=0.5, elevation=0.42)
 HALF = np.array([0.15, 0.5, 0.66])
@@ -79,17 +79,17 @@ def strokes(axis: int, side: int) -> list[Floats]:
     return [np.column_stack([[share * HALF[0]] * 2, ends[:, 1:]]) for share in (-0.4, 0.0, 0.4)]
 
 
-def draw_book(scene: Scene, turn: Floats) -> None:
+def book(turn: Floats) -> list[pen.Part]:
     """The book, turned by a matrix (3, 3)."""
+    parts: list[pen.Part] = []
     for axis, side, color in FACES:
-        if float(scene.view(side * turn[:, axis])[2]) <= 1e-9:
-            continue
-        corner = corners(axis, side) @ turn.T
-        scene.face(corner, fc=color, ec=EDGE, lw=0.8, zorder=3, joinstyle="round")
+        corner, normal = corners(axis, side) @ turn.T, side * turn[:, axis]
+        parts.append(pen.Face(corner, color, EDGE, 0.8, z=3, normal=normal))
+        ink, width = (look.GREY, 0.4) if color == PAPER else (EDGE, 2.2)
+        label = "_letter" if color == COVER else "_"
         for stroke in strokes(axis, side) if color != SPINE else ():
-            ink, width = (look.GREY, 0.4) if color == PAPER else (EDGE, 2.2)
-            name = "_letter" if color == COVER else None
-            scene.line(stroke @ turn.T, color=ink, lw=width, zorder=4, label=name)
+            parts.append(pen.Curve(stroke @ turn.T, ink, width, z=4, label=label, normal=normal))
+    return parts
 
 
 def leaves(turn: Floats, direction: Floats) -> tuple[Floats, bool]:
@@ -107,32 +107,25 @@ def draw_turned(axes: Axes, turn: Floats, gamma: float, last: Turn | None = None
 
     `last` says about which of the two it has just been turned, 0 or 1, and by how much (rad).
     """
-    scene, ends = Scene(axes, VIEW), 1.15 * axes_of_rotation(gamma)
-    names = [r"$\mathbf{n}_1$", r"$\mathbf{n}_2$"]
-    if gamma < CLOSE:
-        names = ["", r"$\mathbf{n}_1, \mathbf{n}_2$"]
+    ends = 1.15 * axes_of_rotation(gamma)
+    close = gamma < CLOSE
+    names = (
+        ("", r"$\mathbf{n}_1, \mathbf{n}_2$") if close else (r"$\mathbf{n}_1$", r"$\mathbf{n}_2$")
+    )
+    parts = book(turn)
+    for end, name in zip(ends, names, strict=True):
+        out, seen = leaves(turn, unit(end))
+        below = (-3.0, -10.0) if close else None
+        parts.append(pen.Arrow(end, name, look.FIRST, 1.0, out, below, 5 if seen else 2))
     if last is not None:
         k, angle = last
-        stripe = [np.zeros(3), 0.95 * ends[k]]
-        scene.line(stripe, color=TURNED_ABOUT, lw=4.5, solid_capstyle="round", zorder=1)
         # Around the end of the axis, from above it.
         start = 0.82 * ends[k] + np.array([0.0, 0.0, 0.34])
         turns = np.outer(np.linspace(0, angle, 61), unit(ends[k]))
-        way = Rotation.from_rotvec(turns).apply(start)
-        _draw_way(scene, way, angle, 5.5 if leaves(turn, ends[k])[1] else 2.5)
-    draw_book(scene, turn)
-    below = (-3.0, -10.0) if gamma < CLOSE else None
-    for end, name in zip(ends, names, strict=True):
-        out, seen = leaves(turn, unit(end))
-        above = 5 if seen else 2
-        scene.arrow(end, name, start=out, shift=below, color=look.FIRST, lw=1.0, zorder=above)
-
-
-def _draw_way(scene: Scene, way: Floats, angle: float, zorder: float) -> None:
-    """An arc, with a head where it ends."""
-    scene.line(way, color=TURN, lw=1.2, zorder=zorder, label="_turn")
-    if abs(angle) > 0.2:
-        scene.head(way[[-9, -1]], width=0.14, length=0.26, color=TURN, lw=0.8, zorder=zorder)
+        way, z = Rotation.from_rotvec(turns).apply(start), 5.5 if leaves(turn, ends[k])[1] else 2.5
+        parts.append(pen.Curve([pen.ORIGIN, 0.95 * ends[k]], TURNED_ABOUT, 4.5, z=1, cap="round"))
+        parts.append(pen.Curve(way, TURN, z=z, head=abs(angle) > 0.2, label="_turn"))
+    pen.draw(axes, parts, VIEW)
 
 
 def orders(alpha: float, beta: float, gamma: float) -> list[list[tuple[str, Floats, Turn | None]]]:
@@ -141,18 +134,11 @@ def orders(alpha: float, beta: float, gamma: float) -> list[list[tuple[str, Floa
     The matrix of what comes later stands to the left.
     """
     a, b = matrices(alpha, beta, gamma)
-    one, of_a, of_b = np.eye(3), (0, alpha), (1, beta)
+    start, of_a, of_b = ("at first", np.eye(3), None), (0, alpha), (1, beta)
+    first_a, first_b = (f"first ${n}$: {degrees(by)}" for n, by in (("A", alpha), ("B", beta)))
     return [
-        [
-            ("at first", one, None),
-            (f"first $B$: {degrees(beta)}", b, of_b),
-            ("then $A$: $AB$", a @ b, of_a),
-        ],
-        [
-            ("at first", one, None),
-            (f"first $A$: {degrees(alpha)}", a, of_a),
-            ("then $B$: $BA$", b @ a, of_b),
-        ],
+        [start, (first_b, b, of_b), ("then $A$: $AB$", a @ b, of_a)],
+        [start, (first_a, a, of_a), ("then $B$: $BA$", b @ a, of_b)],
     ]
 
 
@@ -162,40 +148,18 @@ def _draw(**values: float) -> Canvas:
         for (words, turn, last), axes in zip(row, panels, strict=True):
             draw_turned(axes, turn, values["gamma"], last)
             axes.set_title(words)
-            paper(axes, (-0.98, 1.2), (-0.92, 0.92))
+            pen.paper(axes, (-0.98, 1.2), (-0.92, 0.92))
     return drawn
 
 
-def _caption(alpha: float, beta: float, gamma: float) -> str:
-    found = answers(rotations_form_a_group, alpha=alpha, beta=beta, gamma=gamma)
-    axis = ", ".join(said(round(found[f"axis_{letter}"], 3) + 0.0) for letter in "xyz")
-    apart = found["commutator"]
-    differ = f"From where one ends to where the other ends it is a turn by {degrees(apart)}."
-    if apart < SAME:
-        differ = "Both end alike."
-    return (
-        f"A book turned by $A$, $2α₁ = {degrees(alpha)}$ about $𝐧₁$, and by $B$, $2α₂ = "
-        f"{degrees(beta)}$ about $𝐧₂$, axes at $γ = {degrees(gamma)}$ that stay where they are. "
-        "The cover bears an F, the darker back a bar. Above $B$ comes first, below $A$; the matrix "
-        "of what comes later stands to the left. $AB$ is one turn, by "
-        f"{degrees(found['angle'])} about the axis ({axis}), $𝐧₁$ being along $x̂$ and $𝐧₂$ in the "
-        f"plane of $x̂$ and $ŷ$. {differ}"
-    )
-
-
-def _in_words(alpha: float, beta: float, gamma: float) -> str:
-    found = answers(rotations_form_a_group, alpha=alpha, beta=beta, gamma=gamma)
-    by = [spoken(math.degrees(angle)) for angle in (alpha, beta, gamma)]
-    apart = found["commutator"]
-    ends = f"The two ends differ by a turn of {spoken(math.degrees(apart))} degrees."
-    if apart < SAME:
-        ends = "Both rows end alike."
-    return (
-        "Two rows of three drawings of a book with an F on its cover. In the upper row it is "
-        f"turned first by B, {by[1]} degrees about n2, then by A, {by[0]} degrees about n1, and "
-        f"ends at A B; in the lower row first by A, then by B, and ends at B A. Between the axes "
-        f"are {by[2]} degrees. {ends}"
-    )
+def _facts(**angles: float) -> dict[str, Any]:
+    facts = answers(rotations_form_a_group, **angles)
+    axis = ", ".join(said(round(facts[f"axis_{letter}"], 3) + 0.0) for letter in "xyz")
+    apart = "From where one ends to where the other ends it is a turn by {commutator:°}."
+    ends = "The two ends differ by a turn of {commutator:°} degrees."
+    if facts["commutator"] < SAME:
+        apart, ends = "Both end alike.", "Both rows end alike."
+    return {**facts, "axis": axis, "apart": apart, "ends": ends}
 
 
 ORDER_OF_ROTATIONS = Drawing(
@@ -204,6 +168,14 @@ ORDER_OF_ROTATIONS = Drawing(
     "",
     rotations_form_a_group.parameters,
     _draw,
-    _caption,
-    _in_words,
+    "A book turned by $A$, $2α₁ = {alpha:°}$ about $𝐧₁$, and by $B$, $2α₂ = {beta:°}$ about $𝐧₂$, "
+    "axes at $γ = {gamma:°}$ that stay where they are. The cover bears an F, the darker back a "
+    "bar. Above $B$ comes first, below $A$; the matrix of what comes later stands to the left. "
+    "$AB$ is one turn, by {angle:°} about the axis ({axis}), $𝐧₁$ being along $x̂$ and $𝐧₂$ in the "
+    "plane of $x̂$ and $ŷ$. {apart}",
+    "Two rows of three drawings of a book with an F on its cover. In the upper row it is turned "
+    "first by B, {beta:°} degrees about n2, then by A, {alpha:°} degrees about n1, and ends at A "
+    "B; in the lower row first by A, then by B, and ends at B A. Between the axes are {gamma:°} "
+    "degrees. {ends}",
+    _facts,
 )

@@ -4,19 +4,18 @@ the equations, and colours that differ in grey too."""
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, TypeAlias
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
-from matplotlib.patheffects import withStroke
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from rigidtop.notation.characters import SUPERSCRIPTS
 from rigidtop.typeset.sentences import tex
 
-Floats = NDArray[np.float64]
+Canvas: TypeAlias = Figure
+Floats: TypeAlias = NDArray[np.float64]
 
 COLUMN, TEXT, WIDE = 3.4, 5.25, 7.0
 """Widths of a figure (inches): one column, 8.6 cm, the text beside a margin, and two columns."""
@@ -43,6 +42,7 @@ STYLE: Any = {
     "svg.fonttype": "path",
     "svg.hashsalt": "rigidtop",
     "pdf.fonttype": 42,
+    "ps.fonttype": 42,
     "path.simplify_threshold": 0.03,
 }
 
@@ -83,60 +83,6 @@ SPACE = X, Y, Z = tuple(rf"$\hat{{\mathbf{{{axis}}}}}$" for axis in "xyz")
 def canvas(width: float, height: float) -> Canvas:
     """An empty figure (inches), whose parts make room for each other."""
     return Canvas(figsize=(width, height), layout="constrained")
-
-
-def alone(height: float, draw: Callable[..., None]) -> Callable[..., Canvas]:
-    """What draws a figure of one panel in a column, which `draw` fills: its Axes, parameters."""
-
-    def drawn(**values: float) -> Canvas:
-        figure = canvas(COLUMN, height)
-        draw(figure.subplots(), **values)
-        return figure
-
-    return drawn
-
-
-def legend_above(axes: Axes, **style: Any) -> None:
-    """A legend over the frame."""
-    place = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "borderpad": 0}
-    axes.legend(**place, **{"handlelength": 2.4, **style})
-
-
-def name_at(
-    axes: Axes,
-    x: float,
-    y: float,
-    words: str,
-    shift: tuple[float, float] = (0, 0),
-    **style: Any,
-) -> None:
-    """Words beside a point, `shift` points away, over what lies below; never cut off."""
-    axes.annotate(
-        words,
-        (x, y),
-        xytext=shift,
-        textcoords="offset points",
-        annotation_clip=False,
-        path_effects=[withStroke(linewidth=2.0, foreground="white")],
-        **{"color": NOTE, **style},
-    )
-
-
-def head(
-    axes: Axes,
-    start: tuple[float, float],
-    end: tuple[float, float],
-    *,
-    width: float,
-    length: float,
-    zorder: float,
-    ends: str = "-|>",
-    **style: Any,
-) -> None:
-    """A straight arrow, or the head of a curved one, at the end of a short piece of it."""
-    shape = f"{ends},head_width={width},head_length={length}"
-    about = {"arrowstyle": shape, "shrinkA": 0, "shrinkB": 0, **style}
-    axes.annotate("", end, xytext=start, arrowprops=about, zorder=zorder)
 
 
 TINY = 1e-4

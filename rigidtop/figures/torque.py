@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.errors import NoSteadyPrecession
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.bodies import TOP, start_in_words, top_in_words
+from rigidtop.figures.bodies import TOP, facts_of
 from rigidtop.figures.drawing import Drawing, one
-from rigidtop.figures.space import Scene, View, circle, paper, table, top_body, unit
-from rigidtop.figures.style import Floats, alone, said, spoken
+from rigidtop.figures.space import UPRIGHT, View, circle, unit
+from rigidtop.figures.style import Floats
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
@@ -42,34 +44,34 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     """
     start = motion.start()
     e3, momentum, omega = start.e3[0], unit(start.angular_momentum[0]), unit(start.omega_space[0])
-    couple = direction_of_torque(motion)
-    scene, centre = Scene(axes, VIEW), 0.62 * e3
-    lean = math.acos(float(np.clip(e3[2], -1, 1)))
-    half = 0.37
-    if lean < 1.3:  # above the table, which it does not touch but with its tip
-        table(scene, 0.62)
-        half = min(half, 0.8 * (math.pi / 2 - lean))
-    top_body(scene, e3, 0.78, 0.78 * math.tan(half))
-    length = 1.42
-    tilt = math.acos(float(np.clip(momentum[2], -1, 1)))
-    rim = circle([0.0, 0.0, 1.0], tilt, length=length)
-    scene.ring(rim, color=look.MOMENTUM, lw=0.9, ls=look.DASHED)
-    scene.arrow([0, 0, 1.95], look.Z, lw=0.8, color=look.GREY, shift=(7, 2))
-    scene.arrow(centre, start=(0, 0, 0), color=look.INK, lw=2.0)
-    scene.arrow(1.05 * e3, look.E3, color=look.AXIS, lw=1.0, shift=(9, 0))
-    scene.arrow(length * momentum, look.L_VEC, color=look.MOMENTUM, lw=1.7, shift=(9, 2))
-    scene.arrow(1.2 * omega, look.OMEGA_VEC, color=look.OMEGA, lw=1.7, shift=(9, -3))
-    scene.couple(0.95 * couple, (-6, -10), ha="right")
-    if np.any(couple):
-        beyond = length * momentum + 0.42 * couple
-        scene.arrow(beyond, start=length * momentum, color=look.TORQUE, lw=1.2)
-        scene.words(beyond, look.L_DOT, (2, 4), color=look.TORQUE, ha="center")
-    scene.arrow(centre - [0, 0, 0.46], start=centre, color=look.INK, lw=1.4)
-    scene.words(centre - [0, 0, 0.46], look.WEIGHT, (6, 2), color=look.INK)
-    scene.dot(centre)
-    scene.words(centre, look.R_CM, (6, -8), color=look.INK, zorder=8)
-    scene.words([0.0, 0.0, 0.0], "$O$", (5, -10), color=look.INK)
-    paper(axes, (-1.45, 1.7), (min(-0.3, 1.6 * e3[2] - 0.4), 1.92))
+    turning = direction_of_torque(motion)
+    lean, tilt = (math.acos(float(np.clip(each[2], -1, 1))) for each in (e3, momentum))
+    standing = lean < 1.3  # above the table, which it does not touch but with its tip
+    half = min(0.37, 0.8 * (math.pi / 2 - lean)) if standing else 0.37
+    centre, end = 0.62 * e3, 1.42 * momentum
+    weight = centre - 0.46 * UPRIGHT
+    parts: list[pen.Part] = [
+        *([pen.table(0.62)] if standing else []),
+        *pen.cone(e3, 0.78, 0.78 * math.tan(half)),
+        pen.round_axis(circle(UPRIGHT, tilt, length=1.42), look.MOMENTUM, lw=0.9, ls=look.DASHED),
+        pen.Arrow(1.95 * UPRIGHT, look.Z, look.GREY, 0.8, shift=(7, 2)),
+        pen.Arrow(centre, lw=2.0),
+        pen.Arrow(1.05 * e3, look.E3, look.AXIS, 1.0, shift=(9, 0)),
+        pen.Arrow(end, look.L_VEC, look.MOMENTUM, 1.7, shift=(9, 2)),
+        pen.Arrow(1.2 * omega, look.OMEGA_VEC, look.OMEGA, 1.7, shift=(9, -3)),
+        pen.couple(0.95 * turning, (-6, -10), "right"),
+        pen.Arrow(weight, start=centre),
+        pen.Words(weight, look.WEIGHT, (6, 2)),
+        pen.Mark(centre),
+        pen.Words(centre, look.R_CM, (6, -8)),
+        pen.Words(pen.ORIGIN, "$O$", (5, -10)),
+    ]
+    if np.any(turning):
+        beyond = end + 0.42 * turning
+        parts.append(pen.Arrow(beyond, "", look.TORQUE, 1.2, start=end))
+        parts.append(pen.Words(beyond, look.L_DOT, (2, 4), look.TORQUE, "center", z=7))
+    pen.draw(axes, parts, VIEW)
+    pen.paper(axes, (-1.45, 1.7), (min(-0.3, 1.6 * e3[2] - 0.4), 1.92))
 
 
 def _motion(theta: float, omega3: float, **top: float) -> TopMotion:
@@ -85,43 +87,26 @@ def _motion(theta: float, omega3: float, **top: float) -> TopMotion:
     return body.motion(theta=theta, phi=math.pi / 2, phi_dot=rate, omega3=omega3)
 
 
-def _caption(theta: float, omega3: float, **top: float) -> str:
-    motion = _motion(theta, omega3, **top)
-    size = float(np.linalg.norm(torque(motion)))
-    steady = motion.start().phi_dot[0]
-    goes = (
-        f"the top goes round at {said(steady)} rad/s, its exact slow rate"
-        if steady
-        else "$𝛚$ is along $e₃$ at first"
-    )
-    where = "it points into the paper, and the tip of $𝐋$ follows it round $ẑ$"
-    if not np.any(direction_of_torque(motion)):
-        where = "on the vertical there is none"
-    return (
-        "The torque $𝐍 = 𝐑_CM × M𝐠$ of the weight, with $e₃$ leaning to the right in the plane of "
-        f"the paper: {where}. At {start_in_words(theta, omega3)}, with "
-        f"{top_in_words(motion.body)}, its magnitude is {said(size)} N m, and {goes}. Directions "
-        "are computed, lengths are not to one scale."
-    )
-
-
-def _in_words(**values: float) -> str:
+def _facts(**values: float) -> dict[str, Any]:
     motion = _motion(**values)
-    into_the_eye = direction_of_torque(motion)[0]
-    start = motion.start()
-    momentum = unit(start.angular_momentum[0])
-    lean = math.degrees(math.acos(float(np.clip(momentum @ start.e3[0], -1, 1))))
-    seen = (
-        "A top on a table, its axis e3 leaning to the right. From the contact point O the arrows "
-        f"e3, omega and L, L {spoken(lean)} degrees from e3. The weight points down from the "
-        "centre of mass. "
+    start, along = motion.start(), direction_of_torque(motion)
+    lean = float(unit(start.angular_momentum[0]) @ start.e3[0])
+    rate = float(start.phi_dot[0])
+    steady = "the top goes round at {rate} rad/s, its exact slow rate"
+    where = "it points into the paper, and the tip of $𝐋$ follows it round $ẑ$"
+    points = (
+        f"The torque N points horizontally {'into' if along[0] < 0 else 'out of'} the paper, at "
+        "right angles to e3 and to z, and so does the change of L at its tip, along a dashed "
+        "circle around z."
     )
-    if not into_the_eye:
-        return seen + "There is no torque, as the axis is vertical."
-    into = "into" if into_the_eye < 0 else "out of"
-    return (
-        f"{seen}The torque N points horizontally {into} the paper, at right angles to "
-        "e3 and to z, and so does the change of L at its tip, along a dashed circle around z."
+    return facts_of(
+        motion.body,
+        where=where if np.any(along) else "on the vertical there is none",
+        size=float(np.linalg.norm(torque(motion))),
+        rate=rate,
+        goes=steady if rate else "$𝛚$ is along $e₃$ at first",
+        lean=math.acos(min(1.0, max(-1.0, lean))),
+        points=points if along[0] else "There is no torque, as the axis is vertical.",
     )
 
 
@@ -134,8 +119,13 @@ TORQUE_ARROWS = Drawing(
         Parameter("theta", math.pi / 4, "$θ$", "rad", least=0, most=math.pi),
         Parameter("omega3", 30.0, "$ω₃$", "rad/s", above=0),
     ),
-    alone(2.75, lambda axes, **values: draw_torque(axes, _motion(**values))),
-    _caption,
-    _in_words,
+    pen.alone(2.75, lambda axes, **values: draw_torque(axes, _motion(**values))),
+    "The torque $𝐍 = 𝐑_CM × M𝐠$ of the weight, with $e₃$ leaning to the right in the plane of the "
+    "paper: {where}. At {start}, with {top}, its magnitude is {size} N m, and {goes}. Directions "
+    "are computed, lengths are not to one scale.",
+    "A top on a table, its axis e3 leaning to the right. From the contact point O the arrows e3, "
+    "omega and L, L {lean:°} degrees from e3. The weight points down from the centre of mass. "
+    "{points}",
+    _facts,
     motions=one(_motion),
 )

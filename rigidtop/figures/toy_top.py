@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
 from scipy.optimize import brentq
 
 from rigidtop.derivations.exercises.sleeping_top import RPM
@@ -16,12 +16,12 @@ from rigidtop.derivations.exercises.toy_top import (
     spinning_at,
     top_from_the_toy_box,
 )
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.rotors import sense_of_turn, solid_disc
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, Scene, View, arc, paper, ring
-from rigidtop.figures.style import canvas, degrees, name_at, said, spoken
+from rigidtop.figures.space import UPRIGHT, View, arc
+from rigidtop.figures.style import Canvas, canvas
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 
@@ -50,28 +50,29 @@ def draw_toy_top(
     stem_length: float,
 ) -> None:
     """Disc, stem and centre of mass (a dot) to scale, leaning to the right in the yz plane."""
-    scene = Scene(axes, VIEW)
     size = max(stem_length, math.hypot(disc_radius, disc_height + disc_thickness / 2))
     e3 = np.array([0.0, math.sin(theta), math.cos(theta)])
-    top, middle = stem_length / size, disc_height / size
-    half, height = disc_radius / size, disc_thickness / size
-    ground = ring(np.zeros(3), UPRIGHT, 0.75, VIEW.axes[0])
-    scene.face(ground, fc=look.GROUND, ec=look.RULE, lw=0.6, zorder=0)
-    upper = middle + height / 2
-    for ends, order in (((0.0, middle), 1.5), ((upper, top), 3.0)):
-        style = {"lw": 2.4, "solid_capstyle": "butt", "zorder": order, "label": "_stem"}
-        scene.line(np.outer(ends, e3), color=look.NOTE, **style)
-    solid_disc(scene, middle * e3, e3, half, height, zorder=2)
-    centre = centre_of_mass / size * e3
-    scene.dot(centre, label="_centre")
-    scene.words(centre, look.R_CM, (5, -8), color=look.INK, zorder=8)
-    scene.line([top * e3, (top + 0.62) * e3], color=look.GREY, lw=0.8, zorder=1)
-    scene.line(np.outer([0.0, top + 0.62], UPRIGHT), color=look.GREY, lw=0.8, zorder=1)
+    top, middle, half, height, centre = (
+        length / size
+        for length in (stem_length, disc_height, disc_radius, disc_thickness, centre_of_mass)
+    )
     way = (top + 0.5) * arc(UPRIGHT, e3)
-    scene.line(way, color=look.GREY, lw=0.9, zorder=1)
-    scene.words(1.05 * way[30], r"$\theta$", (0, 2), color=look.INK, ha="center")
-    sense_of_turn(scene, (top + 0.2) * e3, e3, 0.16, omega3, r"$\omega_3$", zorder=4)
-    paper(axes, (-1.02, 1.02), (-0.25, 1.85))
+    pieces = ((0.0, middle), 1.5), ((middle + height / 2, top), 3.0)
+    stem: Any = {"lw": 2.4, "cap": "butt", "label": "_stem"}
+    parts: list[pen.Part] = [
+        pen.table(),
+        *(pen.Curve(np.outer(ends, e3), look.NOTE, z=z, **stem) for ends, z in pieces),
+        *pen.disc(middle * e3, e3, half, height),
+        pen.Mark(centre * e3, label="_centre"),
+        pen.Words(centre * e3, look.R_CM, (5, -8)),
+        pen.guide(np.outer([top, top + 0.62], e3)),
+        pen.guide(np.outer([0.0, top + 0.62], UPRIGHT)),
+        pen.guide(way),
+        pen.Words(1.05 * way[30], r"$\theta$", (0, 2), ha="center"),
+        pen.Turning((top + 0.2) * e3, e3, 0.16, omega3, r"$\omega_3$"),
+    ]
+    pen.draw(axes, parts, VIEW)
+    pen.paper(axes, (-1.02, 1.02), (-0.25, 1.85))
 
 
 # --- The path of its axis ------------------------------------------------------------------------
@@ -103,21 +104,23 @@ def draw_path_from_above(axes: Axes, motion: TopMotion, touching: float) -> None
     each, most = SAMPLES
     count = min(1001 + each * int(min(last / motion.nutation_period, most)), most)
     run = motion.exact(np.linspace(0.0, last, count))
-    theta, phi = np.degrees(run.theta), run.phi
-    axes.plot(theta * np.cos(phi), theta * np.sin(phi), color=look.FIRST, lw=1.0, label="_path")
-    axes.plot(theta[0] * np.cos(phi[0]), theta[0] * np.sin(phi[0]), "o", color=look.FIRST, ms=3.5)
-    edge = math.degrees(touching)
+    theta, edge = np.degrees(run.theta), math.degrees(touching)
+    x, y = theta * np.cos(run.phi), theta * np.sin(run.phi)
     around = np.linspace(0, 2 * math.pi, 241)
-    axes.plot(
-        edge * np.cos(around), edge * np.sin(around), color=look.SECOND, lw=0.9, ls=look.DOTTED
-    )
-    name_at(axes, 0.0, edge, "rim touches", (0, 3), color=look.SECOND, ha="center")
-    axes.plot(0, 0, "+", color=look.GREY, ms=6)
+    rim = edge * np.cos(around), edge * np.sin(around)
     # In the middle, if there is room.
     below = 0.0 if theta[0] > 0.45 * edge else 0.5 * float(theta.max() + edge)
-    words = rf"$\theta = {theta[0]:.3g}°$"
-    name_at(axes, 0.0, -below, words, (0, -11 if not below else -3), color=look.INK, ha="center")
-    paper(axes, (-1.04 * edge, 1.04 * edge), (-1.04 * edge, 1.25 * edge))
+    shift = (0, -3 if below else -11)
+    parts = [
+        pen.Curve((x, y), look.FIRST, 1.0, label="_path"),
+        pen.Mark((x[0], y[0]), look.FIRST),
+        pen.Curve(rim, look.SECOND, 0.9, look.DOTTED),
+        pen.Words((0.0, edge), "rim touches", (0, 3), look.SECOND, "center"),
+        pen.Mark((0.0, 0.0), look.GREY, 6, "+"),
+        pen.Words((0.0, -below), rf"$\theta = {theta[0]:.3g}°$", shift, ha="center"),
+    ]
+    pen.draw(axes, parts)
+    pen.paper(axes, (-1.04 * edge, 1.04 * edge), (-1.04 * edge, 1.25 * edge))
 
 
 # --- Against the spin ----------------------------------------------------------------------------
@@ -134,16 +137,21 @@ def draw_against_spin(axes: Axes, top: HeavyTop, theta: float, omega3: float) ->
     rates = np.array([spinning_at(top, theta, float(spin)) for spin in spins]) / (2 * math.pi)
     marked = np.array(spinning_at(top, theta, given)) / (2 * math.pi)
     styles = ((2, look.SECOND, look.DASHED, "nutations"), (0, look.FIRST, "-", "turns of the axis"))
+    high, at = 3 * rates[-1, 2], int(0.85 * len(spins))
+    parts: list[pen.Part] = [
+        pen.Rule(x=wakes * RPM, label="_sleeps"),
+        pen.Words((wakes * RPM, high), "sleeps", (4, -1), va="top"),
+    ]
     for k, color, style, words in styles:
-        axes.plot(spins * RPM, rates[:, k], color=color, ls=style, label=f"_{words}")
-        axes.plot(given * RPM, marked[k], "o", color=color, ms=4.5, label=f"_{words} now")
-        at = int(0.85 * len(spins))
-        name_at(axes, spins[at] * RPM, rates[at, k], words, (0, 5), color=color, ha="center")
-    axes.set_yscale("log")
+        place = spins[at] * RPM, rates[at, k]
+        parts += [
+            pen.Curve((spins * RPM, rates[:, k]), color, 1.3, style, label=f"_{words}"),
+            pen.Mark((given * RPM, marked[k]), color, 4.5, label=f"_{words} now"),
+            pen.Words(place, words, (0, 5), color, "center"),
+        ]
+    pen.draw(axes, parts)
+    axes.set(yscale="log", xlim=(0.9 * least * RPM, last * RPM), ylim=(0.6 * rates[-1, 0], high))
     axes.yaxis.set_major_formatter("{x:g}")
-    axes.set(xlim=(0.9 * least * RPM, last * RPM), ylim=(0.6 * rates[-1, 0], 3 * rates[-1, 2]))
-    axes.axvline(wakes * RPM, color=look.GREY, lw=0.9, ls=look.DOTTED, label="_sleeps")
-    name_at(axes, wakes * RPM, 3 * rates[-1, 2], "sleeps", (4, -1), va="top", color=look.INK)
     axes.set(xlabel="spin  (turns a minute)", ylabel="in a second")
 
 
@@ -170,44 +178,22 @@ def _draw(**values: float) -> Canvas:
     return drawn
 
 
-def _caption(**values: float) -> str:
+def _facts(**values: float) -> dict[str, Any]:
     _, motion, touching = _top(values)
-    found = answers(top_from_the_toy_box, **values)
-    lowest = motion.turning_points[1]
+    facts = answers(top_from_the_toy_box, **values)
     end = touches(motion, touching)
-    goes = f"for one turn, down to {degrees(lowest)}"
+    goes, falls = "for one turn, down to {lowest:°}", "goes round in small arches"
     if end is not None:
-        goes = f"until its rim touches the table, at {degrees(touching)}, after {said(end)} s"
-    return (
-        f"A top, a disc of {said(values['disc_mass'])} kg, radius {said(values['disc_radius'])} m "
-        f"and thickness {said(values['disc_thickness'])} m at {said(values['disc_height'])} m on a "
-        f"stem of {said(values['stem_mass'])} kg and {said(values['stem_length'])} m, with $g = "
-        f"{said(values['g'])}$ m/s², leaning by $θ = {degrees(values['theta'])}$, to scale. "
-        f"Right: its axis, $θ$ outwards and $φ$ around, let go with {said(found['spin_rpm'], 4)} "
-        f"turns a minute and $𝛚$ along $e₃$, {goes}. Below: turns and nutations in a second, "
-        f"against the spin, at this tilt. In steady precession the axis takes "
-        f"{said(found['slow_turn'])} s for a turn; pushed a little, it nutates "
-        f"{said(found['nutation'])} times a second. Upright, it sleeps from "
-        f"{said(found['sleeping_rpm'], 4)} turns a minute on. The spin has "
-        f"{said(found['energy'])} J, which could lift it by {said(found['height'])} m."
-    )
-
-
-def _in_words(**values: float) -> str:
-    _, motion, touching = _top(values)
-    found = answers(top_from_the_toy_box, **values)
-    end = touches(motion, touching)
-    path = "goes round in small arches" if end is None else "falls until the rim touches the table"
-    return (
-        "A disc on a thin stem whose tip is on a table, leaning by "
-        f"{spoken(math.degrees(values['theta']))} degrees. Beside it the path of its axis from "
-        f"above, which {path}, inside a dotted circle at the tilt, "
-        f"{spoken(math.degrees(touching))} degrees, at which the rim touches. Below, the turns of "
-        "the axis in a second fall with the spin and the nutations in a second rise: at "
-        f"{spoken(found['spin_rpm'])} turns a minute they are "
-        f"{spoken(1 / found['slow_turn'])} and {spoken(found['nutation'])}. A dotted line marks "
-        f"{spoken(found['sleeping_rpm'])} turns a minute, from which on the upright top sleeps."
-    )
+        goes = "until its rim touches the table, at {touching:°}, after {end} s"
+        falls = "falls until the rim touches the table"
+    return facts | {
+        "lowest": motion.turning_points[1],
+        "touching": touching,
+        "end": end,
+        "goes": goes,
+        "falls": falls,
+        "turns": 1 / facts["slow_turn"],
+    }
 
 
 TOY_TOP = Drawing(
@@ -216,6 +202,19 @@ TOY_TOP = Drawing(
     "",
     top_from_the_toy_box.parameters,
     _draw,
-    _caption,
-    _in_words,
+    "A top, a disc of {disc_mass} kg, radius {disc_radius} m and thickness {disc_thickness} m at "
+    "{disc_height} m on a stem of {stem_mass} kg and {stem_length} m, with $g = {g}$ m/s², leaning "
+    "by $θ = {theta:°}$, to scale. Right: its axis, $θ$ outwards and $φ$ around, let go with "
+    "{spin_rpm:4} turns a minute and $𝛚$ along $e₃$, {goes}. Below: turns and nutations in a "
+    "second, against the spin, at this tilt. In steady precession the axis takes {slow_turn} s for "
+    "a turn; pushed a little, it nutates {nutation} times a second. Upright, it sleeps from "
+    "{sleeping_rpm:4} turns a minute on. The spin has {energy} J, which could lift it by {height} "
+    "m.",
+    "A disc on a thin stem whose tip is on a table, leaning by {theta:°} degrees. Beside it the "
+    "path of its axis from above, which {falls}, inside a dotted circle at the tilt, {touching:°} "
+    "degrees, at which the rim touches. Below, the turns of the axis in a second fall with the "
+    "spin and the nutations in a second rise: at {spin_rpm} turns a minute they are {turns} and "
+    "{nutation}. A dotted line marks {sleeping_rpm} turns a minute, from which on the upright top "
+    "sleeps.",
+    _facts,
 )

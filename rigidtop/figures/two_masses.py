@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.opening import two_masses
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, Scene, View, arc, circle, paper, total, unit
-from rigidtop.figures.style import Floats, alone, degrees, said, spoken
+from rigidtop.figures.space import UPRIGHT, View, arc, circle, total, unit
+from rigidtop.figures.style import Floats
 
 VIEW = View(azimuth=-0.35, elevation=0.5)
 """So that what points at the reader goes down and to the right."""
@@ -65,91 +67,70 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
 
     The masses lie to scale, the longer arm has the length 1; the circles are their ways.
     """
-    scene = Scene(axes, VIEW)
     places = held.positions / np.linalg.norm(held.positions, axis=1).max()
-    along = unit(places[0])
-    shaft = np.array([[0.0, 0.0, -1.05], [0.0, 0.0, 0.0]])
-    scene.line(shaft, color=look.RULE, lw=3.5, solid_capstyle="butt", zorder=1)
-    for place in places:
-        distance = float(np.linalg.norm(place))
-        tilt = math.acos(float(np.clip(place[2] / distance, -1, 1)))
-        way = circle(UPRIGHT, tilt, length=distance)
-        scene.ring(way, color=look.GREY, lw=0.8, ls=look.DASHED)
-    scene.line(places, color=look.NOTE, lw=2.6, zorder=4, label="_stick")
-    heaviest = held.masses.max()
-    for k, (side, arm) in enumerate((("left", "$a$"), ("right", "$b$"))):
-        size = 12 * float(np.cbrt(held.masses[k] / heaviest))  # as balls of one material
-        scene.dot(places[k], ms=size, mfc=look.FACE, mec=look.EDGE, mew=0.8, zorder=6)
-        away = (0.5 * size + 3) * (1 - 2 * k)
-        short = bool(np.linalg.norm(places[k]) < SHORT)  # beside F, which may lie there
-        above = (5, -14)[k] if short else -3
-        scene.words(places[k], f"$M_{k + 1}$", (away, above), color=look.INK, ha=side)
-        if short:
-            continue
-        across = 8 * unit(np.array([places[k, 2], -places[k, 1]]))
-        shift = (float(across[0]), float(across[1]))
-        scene.words(0.62 * places[k], arm, shift, ha="center", va="center", zorder=7)
-    scene.line(np.outer([0.0, 0.55], along), color=look.GREY, lw=0.7, zorder=2)
+    along, momentum, turning = unit(places[0]), 1.15 * unit(held.momentum), unit(held.torque)
     angle = 0.5 * arc(UPRIGHT, along)
-    scene.line(angle, color=look.GREY, lw=0.9, zorder=3)
-    aside = (-9, 0) if float(along[1]) < SHORT else (0, 0)
-    scene.words(1.16 * angle[30], r"$\alpha$", aside, ha="center", va="center")
-    momentum = 1.15 * unit(held.momentum)
-    scene.arrow(1.4 * UPRIGHT, look.OMEGA_VEC, color=look.OMEGA, lw=1.7, shift=(9, -2))
+    narrow = (-9, 0) if float(along[1]) < SHORT else (0, 0)
     beside = None if momentum[1] < -0.15 else (-9.0, -2.0)
-    scene.arrow(momentum, look.L_VEC, color=look.MOMENTUM, lw=1.9, shift=beside, zorder=5.2)
+    parts: list[pen.Part] = [
+        pen.Curve([-1.05 * UPRIGHT, pen.ORIGIN], look.RULE, 3.5, z=1, cap="butt"),
+        pen.Curve(places, look.NOTE, 2.6, z=4, label="_stick"),
+        pen.guide([pen.ORIGIN, 0.55 * along], z=2),
+        pen.guide(angle, z=3),
+        pen.Words(1.16 * angle[30], r"$\alpha$", narrow, look.NOTE, "center", "center"),
+        pen.Arrow(1.4 * UPRIGHT, look.OMEGA_VEC, look.OMEGA, 1.7, shift=(9, -2)),
+        pen.Arrow(momentum, look.L_VEC, look.MOMENTUM, 1.9, shift=beside, z=5.2),
+        pen.couple(turning, (8, -12)),
+        pen.Mark(pen.ORIGIN),
+    ]
+    for k, place in enumerate(places):
+        parts += _mass(k, place, 12 * float(np.cbrt(held.masses[k] / held.masses.max())))
     if np.any(held.force):
-        scene.arrow(0.55 * unit(held.force), r"$\mathbf{F}$", color=look.INK, lw=1.2, shift=(0, 9))
-    couple = unit(held.torque)
-    scene.couple(couple, (8, -12))
-    if np.any(couple):
-        scene.arrow(momentum + 0.5 * couple, start=momentum, color=look.TORQUE, lw=1.2)
-        scene.words(momentum, look.L_DOT, (-4, -17), color=look.TORQUE, ha="right")
-    scene.dot(np.zeros(3))
-    paper(axes, (-1.5, 1.5), (-1.15, 1.35))
+        parts.append(pen.Arrow(0.55 * unit(held.force), r"$\mathbf{F}$", lw=1.2, shift=(0, 9)))
+    if np.any(turning):
+        parts.append(pen.Arrow(momentum + 0.5 * turning, "", look.TORQUE, 1.2, start=momentum))
+        parts.append(pen.Words(momentum, look.L_DOT, (-4, -17), look.TORQUE, "right"))
+    pen.draw(axes, parts, VIEW)
+    pen.paper(axes, (-1.5, 1.5), (-1.15, 1.35))
 
 
-def _caption(M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float) -> str:
-    held = stick(M_1, M_2, a, b, alpha, omega)
-    found = answers(two_masses, M_1=M_1, M_2=M_2, a=a, b=b, alpha=alpha, omega=omega)
-    torque = "$L$ stays where it is: the bearing exerts no torque"
-    if np.any(held.torque):
-        torque = (
-            "As $𝐋$ turns with the stick, the bearing exerts the torque $𝐍 = 𝛚 × 𝐋$ of "
-            f"{said(found['torque'])} N m, out of the plane of the paper"
+def _mass(k: int, place: Floats, size: float) -> list[pen.Part]:
+    """A ball as one of the same material as the other, its way, and the name of its arm."""
+    distance = float(np.linalg.norm(place))
+    tilt = math.acos(float(np.clip(place[2] / distance, -1, 1)))
+    way = circle(UPRIGHT, tilt, length=distance)
+    short = distance < SHORT  # beside F, which may lie there
+    aside = (0.5 * size + 3) * (1 - 2 * k), (5, -14)[k] if short else -3
+    parts: list[pen.Part] = [
+        pen.round_axis(way, look.GREY, lw=0.8, ls=look.DASHED),
+        pen.Mark(place, size=size, fill=look.FACE, edge=look.EDGE, width=0.8, z=6),
+        pen.Words(place, f"$M_{k + 1}$", aside, ha=("left", "right")[k]),
+    ]
+    across = 8 * unit([place[2], -place[1]])
+    shift = float(across[0]), float(across[1])
+    arm = pen.Words(0.62 * place, ("$a$", "$b$")[k], shift, look.NOTE, "center", "center", z=7)
+    return parts if short else [*parts, arm]
+
+
+def _facts(**values: float) -> dict[str, Any]:
+    held, facts = stick(**values), answers(two_masses, **values)
+    turns, pulls = np.any(held.torque), np.any(held.force)
+    bearing = "$L$ stays where it is: the bearing exerts no torque"
+    if turns:
+        bearing = (
+            "As $𝐋$ turns with the stick, the bearing exerts the torque $𝐍 = 𝛚 × 𝐋$ of {torque} N "
+            "m, out of the plane of the paper"
         )
-    force = "no force, as it holds the centre of mass"
-    if np.any(held.force):
-        force = f"the force $F = {said(found['force'])}$ N, from the centre of mass to the axis"
-    return (
-        f"Two masses on a stick, $M₁ = {said(M_1)}$ kg at $a = {said(a)}$ m and $M₂ = {said(M_2)}$ "
-        f"kg at $b = {said(b)}$ m, which a bearing turns at $ω = {said(omega)}$ rad/s, tilted by "
-        f"$α = {degrees(alpha)}$. $𝐋$ is at right angles to the stick, {degrees(found['angle'])} "
-        f"from $𝛚$, of magnitude {said(found['angular_momentum'])} J s. {torque}, and {force}. "
-        "Grey: the shaft of the bearing. Directions are computed, lengths of arrows are not to one "
-        "scale."
-    )
-
-
-def _in_words(**values: float) -> str:
-    held = stick(**values)
-    found = answers(two_masses, **values)
-    tilt = spoken(math.degrees(values["alpha"]))
-    lean = spoken(math.degrees(found["angle"]))
-    seen = (
-        f"A stick with a mass at either end goes through a bearing, tilted by {tilt} degrees "
-        "against the upright arrow omega; dashed circles about omega are the ways of the masses. "
-        f"The arrow L leans to the other side, {lean} degrees from omega, at right angles to the "
-        "stick. "
-    )
-    if np.any(held.torque):
-        seen += "The torque N points out of the paper, across the plane of stick and omega."
-    else:
-        seen += "There is no torque."
-    if np.any(held.force):
-        side = "left" if held.force[1] < 0 else "right"
-        seen += f" The force F of the bearing points to the {side}, at right angles to omega."
-    return seen
+    across = "The torque N points out of the paper, across the plane of stick and omega."
+    push = "the force $F = {force}$ N, from the centre of mass to the axis"
+    side = "left" if held.force[1] < 0 else "right"
+    pushes = f" The force F of the bearing points to the {side}, at right angles to omega."
+    return facts | {
+        "couple": bearing,
+        "push": push if pulls else "no force, as it holds the centre of mass",
+        "turns": across if turns else "There is no torque.",
+        "pushes": pushes if pulls else "",
+    }
 
 
 TWO_MASSES = Drawing(
@@ -157,8 +138,16 @@ TWO_MASSES = Drawing(
     "Two masses on a stick: $𝛚$, $𝐋$, and what the bearing exerts",
     "",
     two_masses.parameters,
-    alone(2.8, lambda axes, **values: draw_two_masses(axes, stick(**values))),
-    _caption,
-    _in_words,
+    pen.alone(2.8, lambda axes, **values: draw_two_masses(axes, stick(**values))),
+    "Two masses on a stick, $M₁ = {M_1}$ kg at $a = {a}$ m and $M₂ = {M_2}$ kg at $b = {b}$ m, "
+    "which a bearing turns at $ω = {omega}$ rad/s, tilted by $α = {alpha:°}$. $𝐋$ is at right "
+    "angles to the stick, {angle:°} from $𝛚$, of magnitude {angular_momentum} J s. {couple}, and "
+    "{push}. Grey: the shaft of the bearing. Directions are computed, lengths of arrows are not to "
+    "one scale.",
+    "A stick with a mass at either end goes through a bearing, tilted by {alpha:°} degrees against "
+    "the upright arrow omega; dashed circles about omega are the ways of the masses. The arrow L "
+    "leans to the other side, {angle:°} degrees from omega, at right angles to the stick. "
+    "{turns}{pushes}",
+    _facts,
     asked={"M_1": 1.0, "M_2": 1.2, "a": 0.5, "b": 0.3, "alpha": math.radians(40), "omega": 2.0},
 )

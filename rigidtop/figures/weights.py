@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.net_torque import POINTS, gravity_on_points
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import Scene, View, paper, total, unit
-from rigidtop.figures.style import Floats, alone, said, spoken
+from rigidtop.figures.space import View, total, unit
+from rigidtop.figures.style import Floats, said
 
 VIEW = View(azimuth=0.6, elevation=0.36)
 
@@ -73,22 +75,24 @@ def draw_weights(axes: Axes, body: Points) -> None:
 
     The paper is as large as they need.
     """
-    scene, drawn = Scene(axes, VIEW), sketch(body)
-    for tip, words in zip(0.45 * np.eye(3), look.SPACE, strict=True):
-        scene.arrow(tip, words, color=look.GREY, lw=0.7, zorder=1.5)
+    drawn = sketch(body)
+    end = drawn.centre + drawn.weights.sum(axis=0)
+    side, shift = ("left", (5, 3)) if _room_on_the_right(drawn) else ("right", (-5, 3))
+    parts: list[pen.Part] = pen.axes_of_space(0.45, z=1.5)
     for k, place in enumerate(drawn.places):
         size = 9 * float(np.cbrt(body.masses[k] / body.masses.max()))  # as balls of one material
-        _draw_point(scene, place, drawn.weights[k], f"$m_{k + 1}$", size)
-    end = drawn.centre + drawn.weights.sum(axis=0)
-    scene.arrow(end, look.WEIGHT, start=drawn.centre, color=look.INK, lw=2.0)
-    scene.arrow(drawn.centre, color=look.INK, lw=1.6, zorder=5.5)
-    scene.dot(drawn.centre, ms=4)
-    side, shift = ("left", (5, 3)) if _room_on_the_right(drawn) else ("right", (-5, 3))
-    scene.words(drawn.centre, look.R_CM, shift, color=look.INK, ha=side, zorder=8)
-    scene.couple(drawn.couple, (10, -22))
+        parts += _point(place, drawn.weights[k], f"$m_{k + 1}$", size)
+    parts += [
+        pen.Arrow(end, look.WEIGHT, lw=2.0, start=drawn.centre),
+        pen.Arrow(drawn.centre, lw=1.6, z=5.5),
+        pen.Mark(drawn.centre, size=4),
+        pen.Words(drawn.centre, look.R_CM, shift, ha=side),
+        pen.couple(drawn.couple, (10, -22)),
+    ]
+    pen.draw(axes, parts, VIEW)
     under = drawn.places + drawn.weights
-    x, y, _ = scene.view(np.vstack([0.55 * np.eye(3), drawn.places, under, end, drawn.couple]))
-    paper(axes, (x.min() - 0.2, x.max() + 0.2), (y.min() - 0.15, y.max() + 0.15))
+    x, y, _ = VIEW(np.vstack([0.55 * np.eye(3), drawn.places, under, end, drawn.couple]))
+    pen.paper(axes, (x.min() - 0.2, x.max() + 0.2), (y.min() - 0.15, y.max() + 0.15))
 
 
 def _room_on_the_right(drawn: Sketch) -> bool:
@@ -102,53 +106,31 @@ def _room_on_the_right(drawn: Sketch) -> bool:
     return bool(right >= left)
 
 
-def _draw_point(scene: Scene, place: Floats, weight: Floats, words: str, size: float) -> None:
+def _point(place: Floats, weight: Floats, words: str, size: float) -> list[pen.Part]:
     """A ball on its rod, its weight, and a plumb line to the plane of x̂ and ŷ."""
-    scene.line([np.zeros(3), place], color=look.RULE, lw=2.0, zorder=2)
-    foot = np.array([place[0], place[1], 0.0])
-    scene.line([place, foot], color=look.GREY, lw=0.7, ls=look.DOTTED, zorder=1)
-    scene.line(foot, ".", color=look.GREY, ms=3, zorder=1)
-    scene.arrow(place + weight, start=place, color=look.FIRST, lw=1.3)
-    scene.dot(place, ms=size, mfc=look.FACE, mec=look.EDGE, mew=0.8, zorder=6)
-    scene.words(place, words, (0, 0.5 * size + 3), color=look.INK, ha="center", zorder=7)
+    foot = place * [1.0, 1.0, 0.0]
+    return [
+        pen.Curve([pen.ORIGIN, place], look.RULE, 2.0),
+        pen.Curve([place, foot], look.GREY, 0.7, look.DOTTED, z=1),
+        pen.Mark(foot, look.GREY, 3, ".", z=1),
+        pen.Arrow(place + weight, "", look.FIRST, 1.3, start=place),
+        pen.Mark(place, size=size, fill=look.FACE, edge=look.EDGE, width=0.8, z=6),
+        pen.Words(place, words, (0, 0.5 * size + 3), ha="center", z=7),
+    ]
 
 
-def _caption(**values: float) -> str:
-    body, found = points(**values), answers(gravity_on_points, **values)
+def _facts(**values: float) -> dict[str, Any]:
+    body, facts = points(**values), answers(gravity_on_points, **values)
     masses = ", ".join(f"$m{'₁₂₃'[k]} = {said(mass)}$" for k, mass in enumerate(body.masses))
-    centre = ", ".join(said(found[f"centre_{letter}"]) for letter in "xyz")
-    turning = "which is zero here"
-    if np.any(body.torque):
-        parts = ", ".join(said(found[f"torque_{letter}"] + 0.0) for letter in "xyz")
-        turning = f"here ({parts}) N m, of the magnitude {said(_size(found))} N m"
-    return (
-        f"Three masses, {masses} kg, held together by light rods and held at the origin, and their "
-        f"weights at $g = {said(values['g'])}$ m/s². The whole mass $M = {said(found['mass'])}$ "
-        f"kg at the centre of mass, $𝐑_CM = ({centre})$ m, has their torque: $Σ 𝐫ₖ × mₖ𝐠 = "
-        f"𝐑_CM × M𝐠$, {turning}; and their potential energy, {said(found['potential'])} J. Weights "
-        "are drawn to one scale, places to another; dotted lines lead to the plane of $x̂$ and $ŷ$."
-    )
-
-
-def _size(found: dict[str, float]) -> float:
-    """The magnitude of the torque, N m."""
-    return math.hypot(*(found[f"torque_{letter}"] for letter in "xyz"))
-
-
-def _in_words(**values: float) -> str:
-    body, found = points(**values), answers(gravity_on_points, **values)
-    height = spoken(found["centre_z"])
-    seen = (
-        "Three balls at the ends of rods from one point, each with an arrow down, its weight. "
-        f"From the same point R_CM leads to the centre of mass, {height} metres above it, where "
-        "one arrow Mg points down, as long as the other three together. "
-    )
-    if np.any(body.torque):
-        return seen + (
-            f"The torque N, {spoken(_size(found))} newton metres, is horizontal and at right "
-            "angles to R_CM."
-        )
-    return seen + "There is no torque."
+    centre, torque = "{centre_x}, {centre_y}, {centre_z}", "{torque_x}, {torque_y}, {torque_z}"
+    facts |= {f"torque_{letter}": facts[f"torque_{letter}"] + 0.0 for letter in "xyz"}
+    facts |= {"masses": masses, "centre": centre}
+    facts["size"] = math.hypot(*(facts[f"torque_{letter}"] for letter in "xyz"))
+    if not np.any(body.torque):
+        return facts | {"turning": "which is zero here", "torque": "There is no torque."}
+    turning = f"here ({torque}) N m, of the magnitude {{size}} N m"
+    across = "The torque N, {size} newton metres, is horizontal and at right angles to R_CM."
+    return facts | {"turning": turning, "torque": across}
 
 
 WEIGHTS = Drawing(
@@ -156,7 +138,14 @@ WEIGHTS = Drawing(
     "The weights of three points, and one at their centre of mass",
     "",
     gravity_on_points.parameters,
-    alone(2.7, lambda axes, **values: draw_weights(axes, points(**values))),
-    _caption,
-    _in_words,
+    pen.alone(2.7, lambda axes, **values: draw_weights(axes, points(**values))),
+    "Three masses, {masses} kg, held together by light rods and held at the origin, and their "
+    "weights at $g = {g}$ m/s². The whole mass $M = {mass}$ kg at the centre of mass, $𝐑_CM = "
+    "({centre})$ m, has their torque: $Σ 𝐫ₖ × mₖ𝐠 = 𝐑_CM × M𝐠$, {turning}; and their potential "
+    "energy, {potential} J. Weights are drawn to one scale, places to another; dotted lines lead "
+    "to the plane of $x̂$ and $ŷ$.",
+    "Three balls at the ends of rods from one point, each with an arrow down, its weight. From the "
+    "same point R_CM leads to the centre of mass, {centre_z} metres above it, where one arrow Mg "
+    "points down, as long as the other three together. {torque}",
+    _facts,
 )

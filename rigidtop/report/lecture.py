@@ -293,8 +293,8 @@ def _map(lines: Lecture, notation: Notation) -> Picture | None:
         "",
         (),
         draw=lambda: map_picture(lines, shown, notation, COLUMN),
-        caption=lambda: caption,
-        alternative=lambda: alternative,
+        printed=caption,
+        spoken=alternative,
     )
     return Picture("map", drawing, {})
 

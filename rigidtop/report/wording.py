@@ -177,11 +177,8 @@ class Wording:
                 name.set_text(self.label(name.get_text()))
             return canvas
 
-        def caption(**values: float) -> str:
-            return self(drawing.caption(**values))
-
         title = self(drawing.title)
-        return replace(drawing, title=title, draw=draw, caption=caption, animate=None)
+        return replace(drawing, title=title, draw=draw, wording=self, animate=None)
 
     def judgement(self, judgement: Judgement) -> Judgement:
         """A judgement with equations and words in the notation."""

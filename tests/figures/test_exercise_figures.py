@@ -394,8 +394,10 @@ def test_the_cone_as_it_is_drawn(axes, theta, phi):
     assert view(centre)[0] > 0  # leans to the right
     top = Rotation.from_euler("ZYZ", [phi, theta, 0]).apply([0.0, 0.0, 1.35])
     assert tip(axes, r"$\mathbf{e}_3$") == pytest.approx(on_paper(view, top))
-    lid = axes.patches[-1 if view(top)[2] > 0 else 1].get_xy()
-    assert (lid[0] + lid[60]) / 2 == pytest.approx(on_paper(view, height / slant / 1.35 * top))
+    _, *lid = axes.patches
+    assert bool(lid) == (view(top)[2] > 0)
+    for rim in (each.get_xy() for each in lid):
+        assert (rim[0] + rim[60]) / 2 == pytest.approx(on_paper(view, height / slant / 1.35 * top))
     # R cos θ upright on paper, shortened as all heights are; Mg hangs on the centre of mass.
     drawn = arrows(axes)
     lengths = drawn[:, 1] - drawn[:, 0]

@@ -16,6 +16,7 @@ from rigidtop.figures import (
     falling,
     free,
     nutation,
+    picture,
     potential,
     precession,
     space,
@@ -336,7 +337,7 @@ def test_hidden_lines_are_behind():
     """What is dashed on the sphere is farther from the eye than its centre."""
     panel, view = Canvas().subplots(), space.View(0.4, 0.3)
     points = space.circle([0.0, 0.0, 1.0], 0.9)
-    space.Scene(panel, view).on_sphere(points, color="k")
+    picture.draw(panel, [picture.on_sphere(points, "k")], view)
     back, front = (each.get_xydata() for each in panel.lines)
     behind = view(points)[2] < 0
     assert np.array_equal(np.isfinite(back[:, 0]), behind)

@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
 
 import rigidtop as rt
-from rigidtop.figures import bicycle_wheel, gyroscope, plate, rotors, space, style, toy_top
+from rigidtop.figures import bicycle_wheel, gyroscope, picture, plate, style, toy_top
 from rigidtop.figures.catalog import named
 from rigidtop.proof.words import unmarked
 
@@ -109,7 +109,9 @@ def test_what_cannot_be_is_refused_by_picture_and_words(drawing, given, message)
 @pytest.mark.parametrize("axis", [(0.0, 0.0, 1.0), (0.3, -1.0, 0.2), (1.0, 0.0, 0.0)])
 def test_a_curved_arrow_turns_as_its_rate_does(rate, axis):
     axes, view, centre = Canvas().subplots(), gyroscope.VIEW, np.array([0.1, 0.2, 0.3])
-    points = rotors.sense_of_turn(space.Scene(axes, view), centre, axis, 0.5, rate, "x")
+    turning = picture.Turning(centre, axis, 0.5, rate, "x")
+    picture.draw(axes, [turning], view)
+    points = turning.points(view)
     arms = points - centre
     assert arms @ np.array(axis) == pytest.approx(0, abs=1e-12)
     assert np.linalg.norm(arms, axis=1) == pytest.approx(0.5)

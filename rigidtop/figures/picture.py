@@ -1,0 +1,441 @@
+"""What a figure shows, as data, and the one place where it is put on Axes.
+
+A place is a pair (x, y) on the paper, or points of space (…, 3), which are seen from a view.
+
+>>> from matplotlib.figure import Figure
+>>> axes = Figure().subplots()
+>>> draw(axes, [Sphere(), Arrow([0, 0, 1.4], r"$z$"), Rule(y=0.5)])
+>>> len(axes.lines), [words.get_text() for words in axes.texts]
+(4, ['', '$z$'])
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from typing import Any, TypeAlias
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patheffects import withStroke
+from numpy.typing import ArrayLike, NDArray
+from scipy.spatial import ConvexHull
+
+from rigidtop.figures import style as look
+from rigidtop.figures.space import UPRIGHT, View, circle, nearest_side, ring, unit
+from rigidtop.figures.style import Floats
+
+Place: TypeAlias = Any
+Shift: TypeAlias = tuple[float, float]
+"""How far words are from what they name (points of print)."""
+
+ORIGIN = np.zeros(3)
+
+
+class Part:
+    """Something to be drawn."""
+
+    def on(self, axes: Axes, view: View) -> None:
+        """Draws it."""
+        raise NotImplementedError
+
+
+FRONT = View()
+
+
+def draw(axes: Axes, parts: Iterable[Part], view: View = FRONT) -> None:
+    """Puts the parts on Axes, the last over the first where their `z` is the same."""
+    for part in parts:
+        part.on(axes, view)
+
+
+def seen(place: Place, view: View) -> tuple[Floats, Floats, Floats]:
+    """To the right, up and towards the eye; what lies on the paper is neither near nor far."""
+    if isinstance(place, tuple) and len(place) == 2:
+        x, y = np.broadcast_arrays(*(np.asarray(each, dtype=float) for each in place))
+        return x, y, 0.0 * x
+    return view(place)
+
+
+def turned_away(normal: ArrayLike | None, view: View) -> bool:
+    """Whether the face with this normal is seen from behind, or along it."""
+    return normal is not None and float(view(normal)[2]) <= 1e-9
+
+
+# --- Lines, points, words ------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Curve(Part):
+    """A line through points; dashed, thin and light where it is `hidden`.
+
+    Hidden is a mask (N,), or what hides it: the unit "sphere", or of a ring its "near" half.
+    """
+
+    points: Place
+    color: str = look.INK
+    lw: float = 1.2
+    ls: Any = "-"
+    z: float = 2
+    hidden: str | NDArray[np.bool_] = ""
+    head: bool = False
+    """Whether it ends as an arrow does."""
+    label: str = "_"
+    alpha: float = 1.0
+    cap: str = "projecting"
+    normal: ArrayLike | None = None
+    """Of the face that it is on, which is seen from the side to which this points."""
+
+    def on(self, axes: Axes, view: View) -> None:
+        """Draws it, if it is seen."""
+        if turned_away(self.normal, view):
+            return
+        x, y, near = seen(self.points, view)
+        style: dict[str, Any] = {"color": self.color, "lw": self.lw, "label": self.label}
+        style |= {"zorder": self.z, "ls": self.ls, "alpha": self.alpha, "solid_capstyle": self.cap}
+        hidden = self.hidden
+        if isinstance(hidden, str):
+            edge = {"": -math.inf, "sphere": -1e-9}.get(hidden, float(np.mean(near)))
+            hidden = near < edge
+        if not np.any(hidden):
+            axes.plot(x, y, **style)
+        else:
+            front, back = np.where(hidden, np.nan, 1.0), np.where(hidden, 1.0, np.nan)
+            # A front part goes on to the first point that is hidden, so that no gap is left.
+            front[1:][~hidden[:-1]] = 1.0
+            faint = {"lw": 0.65 * self.lw, "alpha": 0.65, "ls": look.HIDDEN, "zorder": 1.5}
+            axes.plot(x * back, y * back, **{**style, **faint})
+            if not np.all(hidden):
+                axes.plot(x * front, y * front, **style)
+        if self.head:
+            start, tip = ((x[k], y[k]) for k in (-8, -1))
+            head = Arrow(tip, "", self.color, 0.8, start, z=self.z + 0.1, size=(0.16, 0.32))
+            head.on(axes, view)
+
+
+def on_sphere(points: Place, color: str, **style: Any) -> Curve:
+    """A path on the unit sphere, which hides its far half."""
+    return Curve(points, color, **{"z": 3, "hidden": "sphere", **style})
+
+
+def round_axis(points: Place, color: str, **style: Any) -> Curve:
+    """A ring about an axis, whose far half is hidden."""
+    return Curve(points, color, **{"z": 3, "hidden": "near", **style})
+
+
+def guide(points: Place, **style: Any) -> Curve:
+    """A line beside the matter: thin, grey and solid."""
+    return Curve(points, **{"color": look.GREY, "lw": 0.8, "z": 1, **style})
+
+
+@dataclass(frozen=True)
+class Rule(Part):
+    """A straight line over all of a chart, at an x or at a y; dotted if nothing else is said."""
+
+    x: float | None = None
+    y: float | None = None
+    color: str = look.GREY
+    lw: float = 0.9
+    ls: Any = look.DOTTED
+    label: str = "_"
+
+    def on(self, axes: Axes, view: View) -> None:
+        """Draws it."""
+        style: dict[str, Any] = {"color": self.color, "lw": self.lw, "ls": self.ls, "zorder": 1.9}
+        if self.x is not None:
+            axes.axvline(self.x, label=self.label, **style)
+        if self.y is not None:
+            axes.axhline(self.y, label=self.label, **style)
+
+
+@dataclass(frozen=True, eq=False)
+class Mark(Part):
+    """Points, never cut off; `fill` and `edge` are colours other than that of all."""
+
+    points: Place
+    color: str = look.INK
+    size: float = 3.5
+    shape: Any = "o"
+    z: float = 7
+    fill: str | None = None
+    edge: str | None = None
+    width: float = 1.0
+    label: str = "_"
+
+    def on(self, axes: Axes, view: View) -> None:
+        """Draws them."""
+        x, y, _ = seen(self.points, view)
+        style: dict[str, Any] = {"ms": self.size, "zorder": self.z, "mew": self.width}
+        style |= {"mfc": self.fill or self.color, "mec": self.edge or self.color}
+        axes.plot(x, y, ls="", marker=self.shape, clip_on=False, label=self.label, **style)
+
+
+@dataclass(frozen=True, eq=False)
+class Words(Part):
+    """Words beside a point, over what lies below; never cut off."""
+
+    at: Place
+    words: str
+    shift: Shift = (0, 0)
+    color: str = look.INK
+    ha: str = "left"
+    va: str = "baseline"
+    size: float | None = None
+    z: float = 8
+
+    def on(self, axes: Axes, view: View) -> None:
+        """Draws them."""
+        x, y, _ = seen(self.at, view)
+        style: dict[str, Any] = {"color": self.color, "ha": self.ha, "va": self.va}
+        style |= {"path_effects": [withStroke(linewidth=2.0, foreground="white")]}
+        style |= {"textcoords": "offset points", "fontsize": self.size, "zorder": self.z}
+        place = float(x), float(y)
+        axes.annotate(self.words, place, self.shift, annotation_clip=False, **style)
+
+
+@dataclass(frozen=True, eq=False)
+class Arrow(Part):
+    """An arrow from `start` to `tip` (3,), with its name beyond the tip.
+
+    One that points along the line of sight is drawn as the textbooks do: ⊙ towards the eye, ⊗ away
+    from it.  `ends` are heads as Matplotlib writes them.
+    """
+
+    tip: Place
+    words: str = ""
+    color: str = look.INK
+    lw: float = 1.4
+    start: Place = (0.0, 0.0, 0.0)
+    shift: Shift | None = None
+    z: float = 5
+    size: tuple[float, float] = (0.18, 0.42)
+    ends: str = "-|>"
+
+    def on(self, axes: Axes, view: View) -> None:
+        """Draws it."""
+        (x0, y0, n0), (x1, y1, n1) = seen(self.start, view), seen(self.tip, view)
+        across, up = float(x1 - x0), float(y1 - y0)
+        length = math.hypot(across, up)
+        if length < 1e-3 * abs(float(n1 - n0)):
+            sight = Mark(self.start, self.color, 9, z=self.z, fill="white", width=self.lw)
+            inner = "." if n1 > n0 else "x"
+            sign = Mark(self.start, self.color, 5, inner, z=self.z + 0.1, width=self.lw)
+            draw(axes, (sight, sign), view)
+        elif length:
+            head = f"{self.ends},head_width={self.size[0]},head_length={self.size[1]}"
+            style = {"arrowstyle": head, "shrinkA": 0, "shrinkB": 0, "joinstyle": "miter"}
+            style |= {"color": self.color, "lw": self.lw}
+            axes.annotate("", (x1, y1), (x0, y0), arrowprops=style, zorder=self.z)
+        if self.words:
+            away = 9 / (length or 1.0)
+            shift = (away * across, away * up) if self.shift is None else self.shift
+            name = Words(self.tip, self.words, shift, self.color, "center", "center", 10)
+            draw(axes, [replace(name, z=self.z + 0.2)], view)
+
+
+# --- Areas and bodies ----------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Face(Part):
+    """The area within points, or of all that is convex about them, a `hull`.
+
+    One that has a `normal` is seen only from the side to which this points.
+    """
+
+    points: Place
+    color: str
+    edge: str = "none"
+    lw: float = 0.7
+    z: float = 1
+    alpha: float = 1.0
+    hull: bool = False
+    normal: ArrayLike | None = None
+
+    def on(self, axes: Axes, view: View) -> None:
+        """Draws it, if it is seen."""
+        if turned_away(self.normal, view):
+            return
+        flat = np.column_stack(seen(self.points, view)[:2])
+        shape = flat[ConvexHull(flat).vertices] if self.hull else flat
+        style: dict[str, Any] = {"fc": self.color, "ec": self.edge, "alpha": self.alpha}
+        axes.fill(*shape.T, lw=self.lw, zorder=self.z, joinstyle="round", **style)
+
+
+@dataclass(frozen=True, eq=False)
+class Band(Part):
+    """What lies between two curves over x."""
+
+    x: ArrayLike
+    low: ArrayLike
+    high: ArrayLike
+    color: str = look.FIRST
+    alpha: float = 0.12
+    label: str = "_"
+
+    def on(self, axes: Axes, view: View) -> None:
+        """Draws it."""
+        style: dict[str, Any] = {"fc": self.color, "alpha": self.alpha, "label": self.label}
+        axes.fill_between(self.x, self.low, self.high, lw=0.0, **style)
+
+
+@dataclass(frozen=True)
+class Sphere(Part):
+    """The outline of the unit sphere, and its equator."""
+
+    def on(self, axes: Axes, view: View) -> None:
+        """Draws it."""
+        outline = Curve(circle(view.axes[2], math.pi / 2), look.RULE, 0.8, z=1)
+        draw(axes, [outline, on_sphere(circle(UPRIGHT, math.pi / 2), look.RULE, lw=0.8)], view)
+
+
+def disc(
+    centre: Floats, axis: ArrayLike, radius: float, thickness: float, z: float = 2
+) -> list[Part]:
+    """A cylinder with its middle at `centre`: its outline, and the face that is turned to us."""
+    along, rim = unit(axis), radius * circle(axis, math.pi / 2)
+    below, above = (rim + centre + k * thickness * along for k in (-0.5, 0.5))
+    return [
+        Face(np.vstack([below, above]), look.MANTLE, look.EDGE, z=z, hull=True),
+        Face(below, look.FACE, look.EDGE, z=z + 0.05, normal=-along),
+        Face(above, look.FACE, look.EDGE, z=z + 0.05, normal=along),
+    ]
+
+
+def cone(
+    e3: ArrayLike,
+    height: float = 0.9,
+    radius: float = 0.36,
+    mark: ArrayLike | None = None,
+    z: float = 2,
+) -> list[Part]:
+    """A top on its tip at the origin, its axis along `e3`: a cone with a lid.
+
+    `mark` is a vector fixed in the body and across the axis, towards which a line on the lid
+    points, so that the turning can be seen.
+    """
+    axis = unit(e3)
+    rim = circle(axis, math.atan2(radius, height), 121, math.hypot(height, radius))
+    mantle = Face(np.vstack([rim, ORIGIN]), look.MANTLE, look.EDGE, z=z, hull=True)
+    parts: list[Part] = [mantle, Face(rim, look.FACE, look.EDGE, z=z + 0.1, normal=axis)]
+    if mark is not None:
+        line = np.array([height * axis, height * axis + radius * unit(mark)])
+        parts += [Curve(line, look.EDGE, z=z + 0.3, normal=axis)]
+    return parts
+
+
+def cone_mantle(rim: Floats, color: str, alpha: float, z: float = 3) -> list[Part]:
+    """A hollow cone from the origin to its rim (N, 3), with its two edges."""
+    mantle = Face([*rim, ORIGIN], color, lw=0, alpha=alpha)
+    return [mantle, Edges(rim, color), round_axis(rim, color, lw=0.95, z=z)]
+
+
+@dataclass(frozen=True, eq=False)
+class Edges(Part):
+    """The two lines from the origin to a rim that bound its cone; none for who looks into it."""
+
+    rim: Floats
+    color: str
+
+    def on(self, axes: Axes, view: View) -> None:
+        """Draws them."""
+        x, y, _ = view(self.rim)
+        turn = np.unwrap(np.arctan2(x, y))
+        if np.ptp(turn) < math.pi:
+            ends = [self.rim[k] for k in (int(np.argmax(turn)), int(np.argmin(turn)))]
+            draw(axes, [Curve([ORIGIN, end], self.color, 0.6, alpha=0.7) for end in ends], view)
+
+
+def table(radius: float = 0.75) -> Face:
+    """The table on which the tip stands: a disc about the origin."""
+    return Face(circle(UPRIGHT, math.pi / 2, length=radius), look.GROUND, look.RULE, 0.6, z=0)
+
+
+TAIL, HEAD = 3.6, 1.0
+"""Where a curved arrow begins and ends, in angles from the side of the eye (rad)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Turning(Part):
+    """A curved arrow about `axis` in the sense of a `rate`, with its name beside it.
+
+    The head is on the side of the eye, what lies behind the axis is dashed.
+    """
+
+    centre: Floats
+    axis: ArrayLike
+    radius: float
+    rate: float
+    words: str
+    left: bool = False
+    z: float = 4
+
+    def points(self, view: View) -> Floats:
+        """On the arrow, from its tail to its head."""
+        along = math.copysign(1.0, self.rate) * unit(self.axis)
+        first = ring(ORIGIN, along, 1.0, nearest_side(view, along), -TAIL, 2)[1]
+        return ring(self.centre, along, self.radius, first, TAIL + HEAD)
+
+    def on(self, axes: Axes, view: View) -> None:
+        """Draws it."""
+        points = self.points(view)
+        x, _, near = view(points)
+        behind = near < float(view(self.centre)[2]) - 1e-9
+        k, shift, side = (np.argmin(x), -4, "right") if self.left else (np.argmax(x), 4, "left")
+        arrow = Curve(points, look.OMEGA, z=self.z, hidden=behind, head=True)
+        draw(axes, [arrow, Words(points[k], self.words, (shift, -3), look.OMEGA, side)], view)
+
+
+def couple(along: ArrayLike, shift: Shift, ha: str = "left") -> Part:
+    """N at the origin, or that there is none, `shift` points (of print) away from it."""
+    if np.any(along):
+        return Arrow(along, look.N_VEC, look.TORQUE, 1.9)
+    return Words(ORIGIN, r"$\mathbf{N} = 0$", shift, look.TORQUE, ha)
+
+
+def axes_of_space(length: float, names: Iterable[str] = look.SPACE, **style: Any) -> list[Part]:
+    """x̂, ŷ and ẑ with their names."""
+    ends = zip(length * np.eye(3), names, strict=True)
+    return [Arrow(end, words, **{"color": look.GREY, "lw": 0.7, **style}) for end, words in ends]
+
+
+# --- The paper -----------------------------------------------------------------------------------
+
+
+def paper(axes: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
+    """Equal scales, no frame, these limits."""
+    axes.set_aspect("equal")
+    axes.set(xlim=x, ylim=y)
+    axes.set_axis_off()
+
+
+def fit(
+    axes: Axes, view: View, points: ArrayLike, margins: tuple[float, float, float, float]
+) -> None:
+    """Paper just large enough for `points` (N, 3), with margins (left, right, below, above).
+
+    The margins are shares of the larger side: they are for words, whose size is that of letters.
+    """
+    x, y, _ = view(points)
+    size = max(float(np.ptp(x)), float(np.ptp(y)))
+    left, right, below, above = (size * margin for margin in margins)
+    across = float(x.min()) - left, float(x.max()) + right
+    paper(axes, across, (float(y.min()) - below, float(y.max()) + above))
+
+
+def legend_above(axes: Axes, **style: Any) -> None:
+    """A legend over the frame."""
+    place = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "borderpad": 0}
+    axes.legend(**place, **{"handlelength": 2.4, **style})
+
+
+def alone(height: float, fill: Callable[..., None]) -> Callable[..., look.Canvas]:
+    """What draws a figure of one panel in a column, which `fill` fills: its Axes, parameters."""
+
+    def drawn(**values: float) -> look.Canvas:
+        figure = look.canvas(look.COLUMN, height)
+        fill(figure.subplots(), **values)
+        return figure
+
+    return drawn
