@@ -16,6 +16,7 @@ from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.languages import SHOWN, said
 from rigidtop.report.markdown import aligned
+from rigidtop.terminal.visible import visible
 from rigidtop.typeset import mathml, sizes
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset.latex import align_row, latex
@@ -60,7 +61,7 @@ def write(
     words = f' data-words="{escape(json.dumps(own, ensure_ascii=False))}"' * document.lecture
     # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
     script = f"<script>/*<![CDATA[*/{style(*scripts)}/*]]>*/</script>\n"
-    return f"""<!DOCTYPE html>
+    return visible(f"""<!DOCTYPE html>
 <html lang="{document.look.language}"{' class="lecture"' * document.lecture}{words}>
 <head>
 <meta charset="utf-8"/>
@@ -81,7 +82,7 @@ def write(
 </main>
 {player}{script}</body>
 </html>
-"""
+""")
 
 
 def _end(document: b.Document) -> int | None:
@@ -135,7 +136,7 @@ def _sections(document: b.Document, figures: Mapping[str, str]) -> list[str]:
 def fragment(blocks: Sequence[b.Block]) -> str:
     """The blocks of one claim, to be pasted into a page."""
     inner = mathml.held("\n".join(map(html_block, blocks)))
-    return f"<section>\n{inner}\n</section>\n"
+    return visible(f"<section>\n{inner}\n</section>\n")
 
 
 def _figure(block: b.Figure, figures: Mapping[str, str]) -> str:

@@ -12,6 +12,7 @@ from functools import singledispatch
 from sympy import Basic
 
 from rigidtop.report import blocks as b
+from rigidtop.terminal.visible import visible
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
 from rigidtop.typeset.sentences import tex, written
@@ -22,7 +23,7 @@ LINE = 84.0
 
 def markdown(blocks: Sequence[b.Block]) -> str:
     """The blocks of a claim or of an exercise, one below the other."""
-    return "\n\n".join(map(_block, blocks))
+    return visible("\n\n".join(map(_block, blocks)))
 
 
 def formula(node: Basic) -> str:
