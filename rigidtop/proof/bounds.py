@@ -57,6 +57,20 @@ def positive(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
     return any(_sign(reduce_ratio(ratio / fact), conditions) == 1 for fact in _facts(conditions))
 
 
+def nonnegative(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
+    """True only if every term is known not to be negative.
+
+    >>> a, b = sympy.symbols("a b", real=True)
+    >>> nonnegative(a**2 + b**2), nonnegative(2*a - 2*b), nonnegative(2*a - 2*b, [a >= b])
+    (True, False, True)
+    """
+    ratio = reduce_ratio(expression)
+    return _at_least_zero(ratio, conditions) or (
+        isinstance(ratio, sympy.Add)
+        and all(_at_least_zero(term, conditions) for term in _grouped(ratio))
+    )
+
+
 def _facts(conditions: Sequence[Relational]) -> list[Expr]:
     """What the conditions say to be positive; a ≥ b together with a ≠ b is a > b."""
     strict = [c.gts - c.lts for c in conditions if isinstance(c, (sympy.Gt, sympy.Lt))]

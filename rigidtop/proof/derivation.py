@@ -124,6 +124,8 @@ def judge_line(line: Line, letters: Letters, above: Iterable[Known] = ()) -> Jud
         _each_needed(line.equations, line.move, performed, letters)
         conditions = (*performed.conditions, *line.move.where)
         defined = _domain(line, conditions, letters)
+        if line.move.verb in _ROOTS:
+            defined = tuple(c for c in defined if c.relation != "≥")
         performed = replace(performed, conditions=(*performed.conditions, *defined))
     except RefusedError as problem:
         return Judged(line, bare, problem)
@@ -138,6 +140,10 @@ def judge_line(line: Line, letters: Letters, above: Iterable[Known] = ()) -> Jud
         tied=performed.tied | _ties(line, letters),
     )
     return Judged(line, known)
+
+
+_ROOTS = ("root", "solve")
+"""Moves that make square roots, and say themselves of what this asks that it is not negative."""
 
 
 def _domain(line: Line, conditions: Sequence[Condition], letters: Letters) -> tuple[Condition, ...]:
@@ -159,7 +165,9 @@ def _each_needed(
             made = arrive(equations, less, letters)
         except RefusedError:
             continue
-        if set(made.conditions) <= set(performed.conditions):
+        # What the move asks for all the same, as a division does, may be said.
+        is_asked = condition.expression in {c.expression for c in made.conditions}
+        if not is_asked and set(made.conditions) <= set(performed.conditions):
             raise RefusedError("{} is a condition without need", condition.expression)
 
 

@@ -14,6 +14,7 @@ from rigidtop.proof.verdict import Verdict
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.markdown import aligned
+from rigidtop.terminal.visible import visible
 from rigidtop.typeset import mathml, sizes
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset.latex import align_row, latex
@@ -56,7 +57,7 @@ def write(
     scripts = ("fit.js", *["lecture.js"] * (document.lecture and not slides), *shown)
     # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
     script = f"<script>/*<![CDATA[*/{style(*scripts)}/*]]>*/</script>\n"
-    return f"""<!DOCTYPE html>
+    return visible(f"""<!DOCTYPE html>
 <html lang="en"{' class="lecture"' * document.lecture}>
 <head>
 <meta charset="utf-8"/>
@@ -77,7 +78,7 @@ def write(
 </main>
 {player}{script}</body>
 </html>
-"""
+""")
 
 
 def _end(document: b.Document) -> int | None:
@@ -130,7 +131,7 @@ def _sections(document: b.Document, figures: Mapping[str, str]) -> list[str]:
 def fragment(blocks: Sequence[b.Block]) -> str:
     """The blocks of one claim, to be pasted into a page."""
     inner = mathml.held("\n".join(map(html_block, blocks)))
-    return f"<section>\n{inner}\n</section>\n"
+    return visible(f"<section>\n{inner}\n</section>\n")
 
 
 def _figure(block: b.Figure, figures: Mapping[str, str]) -> str:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from rigidtop.report import blocks as b
+from rigidtop.terminal.visible import visible
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row, latex
 from rigidtop.typeset.sentences import tex, written
@@ -19,7 +20,7 @@ LINE = 84.0
 
 def markdown(blocks: Sequence[b.Block]) -> str:
     """The blocks of a claim or of an exercise, one below the other."""
-    return "\n\n".join(map(_block, blocks))
+    return visible("\n\n".join(map(_block, blocks)))
 
 
 def words(content: str) -> str:

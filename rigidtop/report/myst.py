@@ -13,6 +13,7 @@ from rigidtop.proof.equation import Equation
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report import markdown
+from rigidtop.terminal.visible import visible
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align_row
 from rigidtop.typeset.layout import Order
@@ -47,7 +48,7 @@ def write(document: b.Document, claims: Claims = ()) -> dict[str, str]:
     # The contents for a Jupyter Book before its version 2, and for Sphinx.
     pages = "".join(f"  - file: {name}\n" for name in names[1:])
     made["myst/_toc.yml"] = f"format: jb-book\nroot: index\nchapters:\n{pages}"
-    return made
+    return {path: visible(text) for path, text in made.items()}
 
 
 def _project(document: b.Document, names: Sequence[str]) -> str:

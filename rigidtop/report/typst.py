@@ -24,6 +24,7 @@ from rigidtop.report.tex_lines import (
     is_wide,
     sharing,
 )
+from rigidtop.terminal.visible import visible
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import AlignRow, align_row, latex, row_lines, seen
@@ -35,7 +36,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     body = "\n\n".join(_joined(document.blocks, figures))
     depth = 2 if document.lecture else 3
     contents = f"#text(size: 9.5pt)[#outline(title: [Contents], depth: {depth})]"
-    return "\n".join(
+    made = "\n".join(
         [
             _preamble(document),
             f'#text(size: 17pt, weight: "bold")[{prose(document.title)}]',
@@ -47,6 +48,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
             "",
         ]
     )
+    return visible(made)
 
 
 def _joined(blocks: Sequence[b.Block], figures: Mapping[str, str]) -> Iterator[str]:
@@ -97,7 +99,7 @@ def fragment(blocks: Sequence[b.Block]) -> str:
     """The blocks of one claim, with the functions that they use."""
     style = _style()
     functions = style[style.index("#let muted") :]
-    return functions + "\n" + "\n\n".join(map(typst_block, blocks)) + "\n"
+    return visible(functions + "\n" + "\n\n".join(map(typst_block, blocks)) + "\n")
 
 
 def _figure(block: b.Figure, path: str, *, floats: bool) -> str:

@@ -195,3 +195,80 @@ def test_no_line_of_the_lecture_is_false():
     pages = lecture()
     verdicts = {id: outcome(pages, pages.judged(id)).verdict for id in [*pages.lines][::7]}
     assert FALSE not in verdicts.values()
+
+
+DOMAIN = r"""# 1 A page
+
+## Laws
+
+Chosen. The law:
+
+$$y = {right}$$
+
+## Lines
+
+{sentence}:
+
+$${line}$$
+
+Set {place} in it:
+
+$${there}$$
+"""
+
+
+@pytest.mark.parametrize(
+    ("right", "sentence", "line", "place", "there"),
+    [
+        (r"\sqrt x", "Square the law", "y^2 + v = x + v", "$x = -1$", "y^2 + v = v - 1"),
+        (r"\arcsin x", "Take the sine of the law", r"\sin y = x", "$x = 2$", r"\sin y = 2"),
+        (r"(-a)^x", "Multiply the law by $2$", "2y = 2(-a)^x", "$x = v$", "2y = 2(-a)^v"),
+        (
+            r"v + \tan\theta",
+            r"Multiply the law by $\cos\theta$",
+            r"y\cos\theta = v\cos\theta + \sin\theta",
+            r"$\theta = \tfrac\pi2$",
+            "0 = 1",
+        ),
+    ],
+)
+def test_what_has_no_real_value_is_not_set(judged, right, sentence, line, place, there):
+    page = DOMAIN.replace("{right}", right).replace("{sentence}", sentence)
+    page = page.replace("{line}", line).replace("{place}", place).replace("{there}", there)
+    assert not judged(page).follows
+
+
+@pytest.mark.parametrize(
+    ("right", "conditions"),
+    [
+        (r"\sqrt x", {(">=", "x")}),
+        (r"\frac1{\sqrt x}", {(">=", "x"), ("!=", "x")}),
+        (r"\sqrt{x^2 + a}", set()),
+        (r"x^v", {(">", "x")}),
+        (r"x^a", {(">=", "x")}),
+        (r"x^2", set()),
+        (r"a^v", set()),
+        (r"\arccos x", {(">=", "1 - x**2")}),
+        (r"\tan\theta", {("!=", "cos(theta)")}),
+        (r"\ln x", {(">", "x")}),
+    ],
+)
+def test_what_a_line_needs_for_real_sides_is_recorded(judged, right, conditions):
+    line = judged(DOMAIN[: DOMAIN.index("## Lines")].replace("{right}", right))
+    names = {"≥": ">=", ">": ">", "≠": "!="}
+    assert {(names[c.relation], str(c.expression)) for c in line.known.conditions} == conditions
+
+
+def test_a_condition_that_a_division_asks_for_may_be_said(judged):
+    law = "# 1 A page\n\n## Laws\n\nChosen. The law:\n\n$$vx = vy$$\n\n## Lines\n\n"
+    line = judged(law + r"Divide the law by $v$, for $v \ne 0$:" + "\n\n$$x = y$$\n")
+    assert line.follows, line.problem
+    [condition] = line.known.conditions
+    assert condition.relation == "≠"
+
+
+def test_what_stands_below_a_line_is_solved_for(judged):
+    law = "# 1 A page\n\n## Laws\n\nChosen. The law:\n\n$$y = \\frac a{x - v}$$\n\n## Lines\n\n"
+    line = judged(law + "Solve the law for $x$:\n\n$$x = v + \\frac ay$$\n")
+    assert line.follows, line.problem
+    assert {str(c.expression) for c in line.known.conditions} == {"y", "-v + x"}

@@ -13,7 +13,7 @@ import pytest
 
 from rigidtop.cli import main
 from rigidtop.report import blocks as b
-from rigidtop.report import plain, tex
+from rigidtop.report import html, markdown, myst, plain, tex, typst
 from rigidtop.terminal.table import table
 
 HOSTILE = "\x1b[2J\u202e\x9b\x07\u2066\x7f"
@@ -50,13 +50,17 @@ def test_nor_does_a_page_have_it(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert not UNSEEN.search(page.read_text("utf-8") + capsys.readouterr().out)
 
 
-def test_nor_has_a_file_for_tex() -> None:
+def test_nor_has_a_document() -> None:
     blocks = (b.Heading(1, "1", HOSTILE, "one"), b.Paragraph((HOSTILE,)))
     document = b.Document(HOSTILE, HOSTILE, blocks, HOSTILE, byline=HOSTILE)
     made = [tex.write(document, {}), tex.fragment(blocks[1:]), plain.fragment(blocks[1:])]
     made += tex.chapters(document, {}).values()
+    made += [html.write(document, {}), html.fragment(blocks[1:]), markdown.markdown(blocks[1:])]
+    made += [typst.write(document, {}), typst.fragment(blocks[1:])]
+    made += myst.write(document).values()
     assert not any(map(UNSEEN.search, made))
     assert "U+202E" in made[0]
+    assert "U+202E" in html.write(document, {})
 
 
 def test_colours_are_ours_alone() -> None:

@@ -13,7 +13,7 @@ from rigidtop.proof import bounds, floats
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation, IntegralOver, SumOver, VolumeIntegral
 from rigidtop.proof.moves.move import Condition
-from rigidtop.proof.values import flattened, vanishes
+from rigidtop.proof.values import Value, flattened, vanishes
 from rigidtop.theory.trig import reduce_ratio
 
 
@@ -31,21 +31,44 @@ def divided_by(factor: Expr, conditions: Sequence[Condition]) -> tuple[Condition
 def domain(
     equation: Equation, algebra: Algebra, conditions: Sequence[Condition]
 ) -> tuple[Condition, ...]:
-    """What has to hold for an equation to say something: no divisor vanishes, logarithms exist.
+    """What has to hold for an equation to say something: that its sides are real numbers.
 
     What stands under a sum or an integral has another value at each place, and is not asked.
     """
     found: list[Condition] = []
     for node in (node for side in equation.sides for node in _outside_sums(side)):
-        if isinstance(node, Pow) and node.exp.is_number and node.exp < 0:
-            base = algebra.value(node.base)
-            if isinstance(base, Expr) and base.is_commutative and not base.is_number:
-                found += divided_by(base, (*conditions, *found))
-        elif isinstance(node, sympy.log):
-            value = algebra.value(node.args[0])
-            if not bounds.positive(*flat_with(value, (*conditions, *found))):
-                found.append(Condition(value, ">"))
+        for value, relation in _bounds_of(node, algebra):
+            if isinstance(value, Expr) and value.is_commutative and not value.is_number:
+                found += _unless_known(value, relation, (*conditions, *found))
     return tuple(dict.fromkeys(each for each in found if each not in conditions))
+
+
+def _bounds_of(node: Expr, algebra: Algebra) -> Iterator[tuple[Value, str]]:
+    """What of a function's argument has to be ≠, >, or ≥ 0, so that it has a real value."""
+    if isinstance(node, Pow):
+        power = algebra.value(node.exp)
+        if power.is_integer:
+            if power.is_negative:
+                yield algebra.value(node.base), "≠"
+        else:
+            yield algebra.value(node.base), "≥" if power.is_positive else ">"
+    elif isinstance(node, sympy.log):
+        yield algebra.value(node.args[0]), ">"
+    elif isinstance(node, sympy.tan):
+        yield sympy.cos(algebra.value(node.args[0])), "≠"
+    elif isinstance(node, (sympy.asin, sympy.acos)):
+        yield 1 - algebra.value(node.args[0]) ** 2, "≥"
+
+
+def _unless_known(
+    value: Expr, relation: str, conditions: Sequence[Condition]
+) -> tuple[Condition, ...]:
+    """The condition that a value is ≠, >, or ≥ 0, where this is not known."""
+    if relation == "≠":
+        return divided_by(value, conditions)
+    bound = bounds.positive if relation == ">" else bounds.nonnegative
+    is_known = bound(*flat_with(value, conditions, weak=relation == "≥"))
+    return () if is_known else (Condition(value, relation),)
 
 
 def _outside_sums(node: Expr) -> Iterator[Expr]:
@@ -184,12 +207,16 @@ LEAST = 1e-3
 
 
 _STRICT = {"≠": sympy.Ne, ">": sympy.Gt}
+_WEAK = {**_STRICT, "≥": sympy.Ge}
 
 
-def flat_with(value: Expr, conditions: Sequence[Condition]) -> tuple[Expr, list[Relational]]:
-    """A value and strict relations, what is no letter being the same in all of them."""
-    strict = [c for c in conditions if c.relation in _STRICT]
-    [flat, *known] = flattened(sympy.Tuple(value, *(c.expression for c in strict)))[0]
-    relations = (_STRICT[c.relation](x, 0) for c, x in zip(strict, known, strict=True))
+def flat_with(
+    value: Expr, conditions: Sequence[Condition], weak: bool = False
+) -> tuple[Expr, list[Relational]]:
+    """A value and strict relations, or `weak` ones too; what is no letter is the same in all."""
+    asked = _WEAK if weak else _STRICT
+    told = [c for c in conditions if c.relation in asked]
+    [flat, *known] = flattened(sympy.Tuple(value, *(c.expression for c in told)))[0]
+    relations = (asked[c.relation](x, 0) for c, x in zip(told, known, strict=True))
     # What is plainly so, or not so, is no relation: SymPy makes it true or false.
     return flat, [each for each in relations if isinstance(each, Relational)]

@@ -66,7 +66,8 @@ def perform(move: Move, letters: Letters) -> Performed:
     conditions = list(made.conditions)
     for each in (*move.of, *move.using):
         conditions += [c for c in each.conditions if c not in conditions]
-    conditions += [c for c in move.where if c not in conditions]
+    recorded = {(c.expression, c.relation) for c in conditions}
+    conditions += [c for c in move.where if (c.expression, c.relation) not in recorded]
     settings = [c for c in conditions if c.relation == "="]
     _one_way([c.expression for c in settings], "is set", letters)
     always = [c for c in settings if c.expression.free_symbols <= letters.numbers]

@@ -65,7 +65,7 @@ def _linear(pair: Pair, atoms: Mapping[Expr, Symbol]) -> list[tuple[dict[Expr, E
     flat, nodes = flattened(pair.left - pair.right)
     back = {node: dummy for dummy, node in nodes.items()}
     unknowns = [back.get(x, x) for x in atoms]
-    expanded = sympy.expand(flat)
+    expanded = sympy.expand(_cleared(flat, unknowns))
     coefficients = {}
     rest = expanded
     for x, unknown in zip(atoms, unknowns, strict=True):
@@ -75,6 +75,13 @@ def _linear(pair: Pair, atoms: Mapping[Expr, Symbol]) -> list[tuple[dict[Expr, E
         coefficients[x] = coefficient.xreplace(nodes)
         rest = rest.subs(unknown, 0) if isinstance(unknown, Symbol) else rest
     return [(coefficients, rest.xreplace(nodes))]
+
+
+def _cleared(expression: Expr, unknowns: Sequence[Expr]) -> Expr:
+    """Without divisors that have an unknown in them: the equation says that they do not vanish."""
+    if expression.is_rational_function(*unknowns) and not expression.is_polynomial(*unknowns):
+        return sympy.fraction(sympy.cancel(sympy.together(expression)))[0]
+    return expression
 
 
 def _solved_linear(
@@ -125,6 +132,7 @@ def _roots(pair: Pair, unknown: Expr, move: Move, scope: Scope) -> Performed:
     flat, nodes = flattened(pair.left - pair.right)
     back = {node: dummy for dummy, node in nodes.items()}
     x = back.get(unknown, unknown)
+    flat = _cleared(flat, [x])
     polynomial = sympy.Poly(sympy.expand(flat), x) if flat.is_polynomial(x) else None
     if polynomial is None or polynomial.degree() != 2:
         raise RefusedError("this is neither linear nor quadratic in {}", unknown)
