@@ -224,7 +224,16 @@ def tokens(items: Sequence[Piece], depth: int = 0) -> tuple[Token, ...]:
     """The tokens of pieces; `UnreadError` for what does not end, never began, or is too deep."""
     if depth > DEEPEST:
         raise UnreadError(f"nested deeper than {DEEPEST}", items[0].position if items else 0)
-    return tuple(_Scan(items, depth).all())
+    return tuple(_Scan(_divided(items), depth).all())
+
+
+def _divided(items: Sequence[Piece]) -> Sequence[Piece]:
+    r"""Pieces with a fraction that TeX writes between its parts, a \over b, as others are."""
+    for k, piece in enumerate(items):
+        if piece.text == r"\over":
+            parts = (Piece("{}", piece.position, tuple(x)) for x in (items[:k], items[k + 1 :]))
+            return Piece(r"\frac", piece.position), *parts
+    return items
 
 
 class _Scan:

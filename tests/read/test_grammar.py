@@ -24,6 +24,7 @@ def shown(text: str) -> list[str]:
         (r"\SI{9.8}{\meter\per\second\squared} + \qty{3}{\kilogram}", "9.8 m s⁻² + 3 kg"),
         (r"9.81\,\frac{\mathrm m}{\mathrm s^2} + 2\,{\rm s}", "9.81 m/s² + 2 s"),
         (r"3\,\mathrm{\frac{m}{s}} + 3\,\text{ms}^{-1}", "3 m/s + 3 m s⁻¹"),
+        (r"{x + 1 \over y} + {1 \over \sqrt{a \over b}}", "(x + 1)/y + 1/√(a/b)"),
         (r"\frac{d}{dt}\frac{\partial L}{\partial\dot\theta}", "d(∂L/∂θ̇)/dt"),
         (r"d/dt(∂L/∂θ̇) = ∂L/∂θ", "d(∂L/∂θ̇)/dt = ∂L/∂θ"),
         (r"\frac{\partial^2 L}{\partial x\,\partial\dot y}", "∂²L/∂x∂ẏ"),
