@@ -9,6 +9,9 @@ from sympy import MatrixBase
 
 from rigidtop.tree.nodes import Letter, Node, Number, letters
 
+TIME = Letter("t")
+"""What it is at a moment is over with the scope in which that is said."""
+
 
 @dataclass(frozen=True, eq=False)
 class Definition:
@@ -120,8 +123,15 @@ class Context:
         return context
 
     def defining(self, letter: Letter, definition: Definition) -> Context:
-        """With a letter that stands for something from here on."""
-        return replace(self, definitions={**self.definitions, letter: definition})
+        """With a letter that stands for something from here on.
+
+        What others stand for that would make it stand for itself is another problem's, and over.
+        """
+        kept = {x: other for x, other in self.definitions.items() if x != letter}
+        for name in _reached(definition.node, kept):
+            if letter in letters(kept[name].node):
+                del kept[name]
+        return replace(self, definitions={**kept, letter: definition})
 
     def holding(self, constraint: Constraint) -> Context:
         """With something more that holds."""
@@ -144,7 +154,22 @@ class Context:
             for c in self.constraints
             if (_is_open(c.scope, scope) or c.kind == LAW) and c.until in (None, sentence)
         )
-        return replace(self, constraints=kept)
+        moment = self.definitions.get(TIME)
+        context = self
+        if moment is not None and not _is_open(moment.scope, scope):
+            context = self.forgetting(TIME)
+        return replace(context, constraints=kept)
+
+
+def _reached(node: Node, definitions: Mapping[Letter, Definition]) -> list[Letter]:
+    """The letters with a meaning in a node, and in what these stand for."""
+    reached: list[Letter] = []
+    left = [node]
+    while left:
+        new = [x for x in letters(left.pop()) if x in definitions and x not in reached]
+        reached += new
+        left += [definitions[x].node for x in new]
+    return reached
 
 
 def _is_open(scope: tuple[int, ...], now: tuple[int, ...]) -> bool:
