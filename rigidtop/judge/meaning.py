@@ -545,6 +545,9 @@ def _cross(meaning: Meaning, node: n.Cross) -> Value:
     left, right = meaning.value(node.left), meaning.value(node.right)
     vectors = isinstance(left, MatrixBase), isinstance(right, MatrixBase)
     if not any(vectors):
+        if n.letters(node.left) & n.letters(node.right):
+            # Nobody writes a number times itself with ×: these are vectors that nothing names so.
+            raise UnclearError("× between what are no vectors of three components")
         return left * right
     if not all(vectors) or left.shape != (3, 1) or right.shape != (3, 1):
         if left == 0 or right == 0:

@@ -149,9 +149,14 @@ def _single(
                 yield n.Rate(node, 1, True), f"a dot on {plain(node)}", 2.8
             for other_letter in sorted(known | names, key=str):
                 alike = replace(other_letter, mark=node.mark) == node
-                if not alike and other_letter.bold == node.bold:
+                near = other_letter.base == node.base
+                looks = (
+                    near
+                    or {node, other_letter} <= moving | names
+                    or _look_alike(node.base, other_letter.base)
+                )
+                if looks and not alike and other_letter.bold == node.bold:
                     words = f"{plain(other_letter)} in place of {plain(node)}"
-                    near = other_letter.base == node.base
                     yield other_letter, words, 2.4 if near else 3.2
         case n.Rate(of, order) if order > 0:
             if order > 1:
@@ -169,6 +174,15 @@ def _single(
             yield of, "no root", 3.0
         case n.Quotient(over, under):
             yield n.Quotient(under, over), "the fraction turned over", 3.0
+
+
+_ALIKE = tuple(map(frozenset, ("θϑΘ", "φϕϐψΦΨ", "ωΩw", "lℓL", "vνuV", "pρP", "aαA", "γyr")))
+"""Letters that a pen takes for each other, apart from small ones for capitals."""
+
+
+def _look_alike(one: str, other: str) -> bool:
+    """Whether a letter is easily taken for another one."""
+    return one.lower() == other.lower() or any({one, other} <= each for each in _ALIKE)
 
 
 def _times(

@@ -287,6 +287,7 @@ def instants(read: Read) -> list[str]:
             zero = isinstance(value, n.Number) and value.value == 0
             now = START if zero else now
         starts = isinstance(each, Statement) and _is_start(each)
+        now = START if starts and now else now
         made.append(START if starts else now)
     return made
 
@@ -379,7 +380,11 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     calls = [x for x in nodes if isinstance(x, n.Call)]
     timed = {x.function for x in calls if x.places == (Letter("t"),)}
     moving = {x for x in timed if isinstance(x, Letter)} | {
-        of for x in nodes if isinstance(x, n.Rate) for of in [_bare(x.of)] if isinstance(of, Letter)
+        of
+        for x in nodes
+        if isinstance(x, n.Rate) and not _is_function(x.of)
+        for of in [_bare(x.of)]
+        if isinstance(of, Letter)
     }
     moving |= _velocities(read)
     functions: dict[Letter, tuple[Node, ...]] = {}
@@ -422,6 +427,11 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         frozenset(lengths),
         frozenset(vectors),
     )
+
+
+def _is_function(node: Node) -> bool:
+    """Whether it is written as a function of something else than the time, as F(q)."""
+    return isinstance(node, n.Call) and Letter("t") not in node.places
 
 
 def _bare(node: Node) -> Node:

@@ -34,6 +34,9 @@ CLOSE, _FLOOR = 1e-7, 1e-4
 """Sides that are equal in exact worlds differ by no more than this share of their terms, which are
 of the size of 1 where they are not zero."""
 
+_LARGEST = 1e12
+"""Of sides with larger terms nothing is seen."""
+
 
 @dataclass(frozen=True, eq=False)
 class Worlds:
@@ -54,7 +57,8 @@ class Worlds:
     def holds(self, sides: Sequence[tuple[Expr, Expr]], trivially: bool = True) -> bool | None:
         """Whether both sides agree in every world; None where they have a value in none.
 
-        With `trivially` false they may not all be nothing but zeros.
+        With `trivially` false they may not all be nothing but zeros, nor so large that whatever
+        is written would be rounded away.
         """
         expressions = [x for pair in sides for x in pair] + [a - b for a, b in sides]
         if not self._knows(expressions) or not self.count:
@@ -69,7 +73,8 @@ class Worlds:
         known = np.isfinite(gap).all(axis=0) & np.isfinite(size).all(axis=0)
         if not known.any():
             return None
-        if not trivially and (size[:, known].max(axis=0) < _FLOOR).any():
+        extent = size[:, known].max(axis=0)
+        if not trivially and ((extent < _FLOOR) | (extent > _LARGEST)).any():
             return False
         return bool((gap[:, known] <= CLOSE * (size[:, known] + _FLOOR)).all())
 

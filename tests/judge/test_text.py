@@ -187,6 +187,20 @@ TEXTS = [
     ("$\\phi = 2 a$\n$b = φ$\n$b = 2 a$", {3: True}),
     ("$\\varphi = 2 a$\n$\\phi = 3 a$\n$b = \\varphi$\n$b = 2 a$", {2: None, 4: True}),
     ("$p_\\phi = 2 a$\n$b = p_\\varphi$\n$b = 2 a$", {3: True}),
+    # where a coordinate has the value of its start, the sentence speaks of that moment
+    (r"$\ddot\theta = -\frac gl\sin\theta$" "\n"
+     r"$$\frac12ml^2\dot\theta^2 + mgl(1 - \cos\theta) = E_0$$" "\n"
+     r"At the maximum ($\theta = \theta_0$) the velocity is zero ($\dot\theta = 0$), so" "\n"
+     r"$$E_0 = mgl(1 - \cos\theta_0)$$", {4: True}),
+    # one of two values
+    (r"$$p = \pm 2m\sqrt{gl}\cos\frac{\theta}{2}$$" "\n"
+     r"$$p^2 = 2m^2gl(1 + \cos\theta)$$" "\n" r"$$p^2 = 3m^2gl(1 + \cos\theta)$$",
+     {1: None, 2: True, 3: False}),
+    # vectors that nothing names so
+    (r"$J\dot w = Jw \times w + N$" "\n" r"$$J\dot w = -Jw \times w + N$$", {1: None, 2: None}),
+    # a function of a coordinate moves with it
+    (r"$\ddot q = -s\dot q$ and $F'(q) = f(q)$, hence" "\n"
+     r"$$\dot qf(q) = \frac{dF(q)}{dt}$$", {2: True}),
 ]  # fmt: skip
 """Texts, and whether the formulas of a line follow, are wrong (False), or neither (None)."""
 

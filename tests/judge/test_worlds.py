@@ -235,3 +235,11 @@ def test_the_rate_of_what_moves():
 def test_another_moment_has_other_values_of_what_moves():
     then = at_instant(L * Q[0] + TIME * Q[1], "start", frozenset({Letter("θ")}), sympy.Integer(0))
     assert then == L * jet("θ", instant="start")
+
+
+def test_of_sides_that_would_round_everything_away_nothing_is_seen():
+    worlds = Worlds(LETTERS, np.full((len(LETTERS), 4), 0.7 + 0j))
+    huge = 2 * sympy.Integer(10) ** 30 * (X - Y)
+    assert worlds.holds([(huge, Z)])
+    assert worlds.holds([(huge, Z)], trivially=False) is False
+    assert worlds.holds([(X, Y)], trivially=False)
