@@ -181,8 +181,10 @@ _ALIKE = tuple(map(frozenset, ("θϑΘ", "φϕϐψΦΨ", "ωΩw", "lℓL", "vνu
 
 
 def _look_alike(one: str, other: str) -> bool:
-    """Whether a letter is easily taken for another one."""
-    return one.lower() == other.lower() or any({one, other} <= each for each in _ALIKE)
+    """Whether a letter is easily taken for another one: in its shape, or as P beside Q."""
+    neighbours = len(one) == len(other) == 1 and abs(ord(one) - ord(other)) == 1
+    shapes = any({one, other} <= each for each in _ALIKE)
+    return neighbours or shapes or one.lower() == other.lower()
 
 
 def _times(
