@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import inf
 
 from rigidtop.judge import approximations, definitions, faults, novelties, paths, settings
-from rigidtop.judge.context import PREMISE
 from rigidtop.judge.faults import NUMBERS
 from rigidtop.judge.laws import LAGRANGIANS, lagrange
 from rigidtop.judge.meaning import UnclearError
 from rigidtop.judge.numbers import are_numbers, compared
-from rigidtop.judge.outcome import ASSUMING, DEFINITION, SAMPLED, UNDECIDED, Outcome
+from rigidtop.judge.outcome import ASSUMING, DEFINITION, PREMISE, SAMPLED, UNDECIDED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.sides import ZERO, named, other_root, own_letters
 from rigidtop.tree import nodes as n
@@ -49,9 +49,12 @@ def judged(question: Question) -> Judgement:
 def _numbers(question: Question) -> Judgement:
     """The outcome where both sides are numbers."""
     sides, meant = (question.left, question.right), question.meant
-    rates = (any(isinstance(x, n.Rate) for x in n.walked(side)) for side in sides)
+    others = [side for side in sides if side != ZERO]
+    rates = (any(isinstance(x, n.Rate) for x in n.walked(side)) for side in others)
     if all(x == 0 for pair in meant for x in pair) and all(rates):
         # Rates vanish only as no letter of theirs moves.
+        if len(others) < len(sides):
+            return Outcome(PREMISE, "a constant"), question.context
         return Outcome(UNDECIDED, "nothing in it moves"), question.context
     outcome = compared(*sides, meant, question.rests_on_meaning)
     return definitions.number_again(question) or (outcome, question.context)
@@ -128,7 +131,8 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
         near = approximations.near_slip(question) if at.small or at.large else None
         wrong = near or faults.slip(question)
         return wrong.outcome if wrong is not None else faults.refuted(question), context
-    wrong = faults.slip(question)
+    # In a line of words it may be said of another case, if it is not a sign or a number.
+    wrong = faults.slip(question, most=NUMBERS if at.inline and not at.derived else inf)
     if wrong is not None:
         return wrong.outcome, wrong.context
     fixed = novelties.value(question)

@@ -46,6 +46,9 @@ NEARLY_ALIKE = 2.9
 LIKELY = 1.2
 """Up to this rank a slip is looked for in what a statement contradicts."""
 
+FEWEST = 2
+"""In fewer worlds a change may make a statement right by chance."""
+
 SLIP_SECONDS = 1.5
 """How long the change that makes a statement right is looked for (s, of the processor's time)."""
 
@@ -80,7 +83,7 @@ def slip(
     something else is said; `relation` is how that is written in LaTeX.
     """
     patience = question.patience
-    if not question.worlds.count or patience.seconds <= 0:
+    if question.worlds.count < FEWEST or patience.seconds <= 0:
         return None
     begun = time.process_time()
     until = begun + min(SLIP_SECONDS, patience.seconds)
@@ -102,8 +105,7 @@ def _right_changes(
     until: float,
 ) -> Iterator[Change]:
     context = question.context
-    near = {jet.letter for x in question.worlds.letters if (jet := jet_of(x)) is not None}
-    known = frozenset(context.letters & (near | {*context.definitions}))
+    known = frozenset(context.letters & _near(question))
     indices = context.habits.indices
     worlds = _widened(question, known)
     meanings = question.meanings()
@@ -118,10 +120,22 @@ def _right_changes(
             yield change
 
 
+def _near(question: Question) -> set[Letter]:
+    """The letters that have to do with a statement: they, and no others, may be missing in it."""
+    near = {jet.letter for x in question.worlds.letters if (jet := jet_of(x)) is not None}
+    for letter, definition in question.context.definitions.items():
+        if definition.number in question.rests_on:
+            near |= {letter, *n.letters(definition.node)}
+    return near
+
+
 def _says_something(question: Question, change: Change) -> bool:
     name, _ = named(change.left)
     if name is not None and name in n.letters(change.right) - n.letters(question.right):
         return False  # x = x says nothing
+    letter, _ = named(question.left)
+    if question.at.inline and letter is not None and change.left != question.left:
+        return False  # words that name a letter do not mistake it
     may_vanish = isinstance(question.left, Letter) and question.right == ZERO
     if may_vanish and change.left != question.left:
         return False  # any letter may be zero

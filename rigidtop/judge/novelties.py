@@ -47,9 +47,9 @@ def letters(question: Question) -> Judgement | None:
         solved = _solved(question, new[0])
         if solved is not None:
             definition = Definition(solved, question.at.number, question.at.scope)
-            return _brings(question, new), context.defining(new[0], definition)
+            return brings(question, new), context.defining(new[0], definition)
     known = replace(context, results=context.results | _results(question, new))
-    return _brings(question, new), known.holding(question.constraint(kind))
+    return brings(question, new), known.holding(question.constraint(kind))
 
 
 def _names(question: Question, new: Sequence[Letter]) -> bool:
@@ -57,7 +57,8 @@ def _names(question: Question, new: Sequence[Letter]) -> bool:
     return isinstance(question.left, Letter) or own_letters(question.left) <= {*new}
 
 
-def _brings(question: Question, new: Sequence[Letter]) -> Outcome:
+def brings(question: Question, new: Sequence[Letter]) -> Outcome:
+    """That a statement brings letters."""
     words = ", ".join(map(in_words, new))
     brings = frozenset(map(in_words, new))
     return Outcome("premise", f"it brings {words}", question.rests_on_meaning, brings=brings)
@@ -143,7 +144,7 @@ def force(question: Question) -> Judgement | None:
         return None
     new = question.new_letters
     outcome = Outcome("premise", "it brings a force", question.rests_on_meaning)
-    outcome = _brings(question, new) if new else outcome
+    outcome = brings(question, new) if new else outcome
     return outcome, question.context.holding(question.constraint(FORCED))
 
 
@@ -161,7 +162,7 @@ def value(question: Question) -> Judgement | None:
     fixed = {jet.letter for x in free if (jet := jet_of(x)) is not None}
     above = (d for d in context.definitions.values() if d.number != at.number)
     spoken = frozenset().union(*(n.letters(d.node) for d in above))
-    outcome = _brings(question, sorted(fixed, key=str))
+    outcome = brings(question, sorted(fixed, key=str))
     outcome = replace(outcome, restricts=bool(fixed & spoken))
     if len(fixed) == 1:
         [letter] = fixed

@@ -6,12 +6,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from rigidtop.judge import equality, faults
+from rigidtop.judge.definitions import definition
 from rigidtop.judge.jets import TIME
-from rigidtop.judge.outcome import UNDECIDED, Outcome, joint
+from rigidtop.judge.novelties import brings
+from rigidtop.judge.outcome import PREMISE, UNDECIDED, Outcome, joint
 from rigidtop.judge.question import Judgement, Pair, Question, alone
-from rigidtop.judge.sides import named, own_letters, speaks_of
+from rigidtop.judge.sides import ZERO, named, own_letters, speaks_of
 from rigidtop.judge.worlds import Worlds
+from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.several import signed
 
 BOTH_ROOTS = ("1,2", "1/2", "12")
 """Indices under which both roots stand in one formula."""
@@ -43,7 +47,18 @@ def judged(question: Question) -> Judgement:
         return outcome, context
     if sub in BOTH_ROOTS:
         return each_sign(question, equality.judged, [replace(letter, sub=x) for x in "12"])
+    if len(names) == 1 and definition(question, question.left, question.right) is not None:
+        return _either(question, letter)
     return each_sign(question, equality.judged)
+
+
+def _either(question: Question, letter: Letter) -> Judgement:
+    """A letter that nothing has fixed yet is one of two values."""
+    values = (n.Group(signed(question.right, sign)) for sign in (UPPER, LOWER))
+    gaps = tuple(n.Group(n.Sum((question.left, n.Negative(value)))) for value in values)
+    both = replace(question, left=n.Product(gaps), right=ZERO)
+    known = question.context.holding(both.constraint(PREMISE))
+    return brings(both, [letter]), known
 
 
 def each_sign(

@@ -7,8 +7,10 @@ from pathlib import Path
 import pytest
 
 from rigidtop.judge import text as home
+from rigidtop.judge import worlds
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.text import judged
+from rigidtop.judge.worlds import Worlds
 from rigidtop.read.macros import defined
 
 AUTHORS = Path(__file__).with_name("authors")
@@ -198,6 +200,8 @@ TEXTS = [
      {1: None, 2: True, 3: False}),
     # vectors that nothing names so
     (r"$J\dot w = Jw \times w + N$" "\n" r"$$J\dot w = -Jw \times w + N$$", {1: None, 2: None}),
+    # that a parameter is constant follows from nothing
+    ("The spring constant $k$ is constant.", {1: None}),
     # a function of a coordinate moves with it
     (r"$\ddot q = -s\dot q$ and $F'(q) = f(q)$, hence" "\n"
      r"$$\dot qf(q) = \frac{dF(q)}{dt}$$", {2: True}),
@@ -211,6 +215,18 @@ def test_what_becomes_of_a_line(text, lines):
     for row in judged(text):
         passed.setdefault(row.line, set()).add(row.outcome.passed)
     assert {line: passed[line] for line in lines} == {line: {x} for line, x in lines.items()}
+
+
+def test_in_a_single_world_no_slip_is_found(monkeypatch):
+    found = worlds.found
+
+    def first(*given):
+        some = found(*given)
+        return Worlds(some.letters, some.points[:, :1])
+
+    monkeypatch.setattr(worlds, "found", first)
+    *_, row = judged(SPRING + r"$m\ddot x = kx$")
+    assert row.outcome.verdict == "undecided"
 
 
 SETS = Path(__file__).with_name("short_notes.txt").read_text("utf-8").split("\n\n")
