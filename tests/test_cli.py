@@ -44,7 +44,7 @@ def test_check_prints_verdicts_and_numbers(capsys: pytest.CaptureFixture[str]) -
     assert any(row.startswith("3.4 3.47 convention at φ = ") for row in rows)
     assert "3.3 z-hat proved" in rows
     assert "θ held over 100 turns at Ω₋" in out
-    assert "lines, of which the model bears out" in out
+    assert "of which the models bear out" in out
     assert " ".join(rows[-2:]) == (
         "3 claims: 1 proved, 1 assuming, 1 convention; nothing failed that the notes get right"
     )

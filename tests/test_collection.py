@@ -143,13 +143,13 @@ def test_lines_are_held_against_the_models_of_a_collection(tmp_path, capsys):
     (folder / "__init__.py").write_text(start + MODEL, "utf-8")
     assert main(["check", f"{folder}/"]) == 0
     said = capsys.readouterr().out
-    assert "the model bears out 1" in said
-    assert "false in the model" not in said
+    assert "5 laws, of which the models bear out 5" in said
+    assert "false in the models" not in said
     # Of another length: Python takes a file of the same length and second for the one it compiled.
     wrong = MODEL.replace("x.V: T - lagrangian()", "x.V: -T + lagrangian()")
     (folder / "__init__.py").write_text(start + wrong, "utf-8")
     assert main(["check", f"{folder}/"]) == 1
-    assert "follows and is false in the model" in capsys.readouterr().out
+    assert "this law is false in the models" in capsys.readouterr().out
     (folder / "__init__.py").write_text(start + "MODELS = ('theta',)\n", "utf-8")
     assert main(["check", f"{folder}/"]) == 2
     assert "MODELS[0] is" in capsys.readouterr().err

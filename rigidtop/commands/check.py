@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from rigidtop import collection as collections
     from rigidtop.notation import Notation
     from rigidtop.proof.lecture import Lecture, Text, Trial
+    from rigidtop.proof.model import Model
     from rigidtop.proof.page import Claim, Page
     from rigidtop.proof.verdict import Judgement
 
@@ -145,7 +146,7 @@ def _run(
         amiss = [*faults(lecture, ids), *amiss]
     model: list[str] = []
     if lecture is not None and (collection.models or collection.folder is None):
-        model = asked(
+        model = in_models(
             lecture,
             collection.models,
             [claim.name for _, claim in found] if names or not every else [],
@@ -203,28 +204,24 @@ def true_in_worlds(lecture: Lecture) -> str:
     )
 
 
-def asked(lecture: Lecture, models: Sequence[Any], names: Sequence[str]) -> list[str]:
-    """Where lines and the models disagree, a line each; last how many were asked, and not."""
-    from rigidtop.mark.asked import ask
+def in_models(lecture: Lecture, models: Sequence[Model], names: Sequence[str]) -> list[str]:
+    """The laws that are false in the models, a line each; last how many these bear out.
 
-    wanted = [name for name in names if name in lecture.names]
-    ids = {id for name in wanted for id in lecture.way(name)[0]}
+    The models are those of the top if there are none.
+    """
+    from rigidtop.mark.laws import laws_in, of_the_top
+
+    wanted = [id for name in names for id in lecture.names.get(name, ())]
+    ids = {*wanted, *(above for id in wanted for above in lecture.above(id))}
     if names and not ids:
         return []
-    found, said = ask(lecture, ids, models), []
-    for id, each in found.items():
-        follows = lecture.judged(id).follows
-        place = f"{each.line.file}, line {each.line.at}"
-        if each.holds is False:
-            follows_too = "it follows and" if follows else "it does not follow, and"
-            said.append(f"{place}: {follows_too} is false in the model")
-        elif each.holds and not follows:
-            said.append(f"{place}: it is true in the model and does not follow")
-    true = sum(each.holds is True for each in found.values())
-    others = Counter(each.why for each in found.values() if each.holds is None)
-    counts = "; ".join(f"{count}: {why}" for why, count in others.most_common())
-    last = f"{len(found)} lines, of which the model bears out {true}"
-    return [*said, f"{last}, and could not be asked of {counts}" if counts else last]
+    laws = laws_in(lecture, models or of_the_top(), ids)
+    lines = {id: lecture.lines[id] for id, holds in laws.items() if holds is False}
+    wrong = [f"{x.file}, line {x.at}: this law is false in the models" for x in lines.values()]
+    true, unknown = (sum(x is each for x in laws.values()) for each in (True, None))
+    count = f"{len(laws)} law{'s' * (len(laws) != 1)}, of which the models bear out {true}"
+    more = f"; {unknown} speak of what no model knows" if unknown else ""
+    return [*wrong, count + more] if laws else []
 
 
 def tried(lecture: Lecture, names: Sequence[str]) -> dict[str, Trial]:
