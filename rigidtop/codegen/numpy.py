@@ -36,7 +36,7 @@ from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
 from rigidtop.codegen import source
-from rigidtop.codegen.solve import StraightLine, in_pieces
+from rigidtop.codegen.lines import StraightLine, in_pieces
 
 
 @dataclass(frozen=True)

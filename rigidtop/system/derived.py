@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
@@ -12,9 +12,12 @@ import sympy
 from sympy import Dummy, Expr, Integer, Matrix, Rational, Symbol
 from sympy.core.function import AppliedUndef
 
-from rigidtop.codegen.solve import SingularError, StraightLine, points, solved
+from rigidtop.codegen.graph import Graph, points, somewhere
+from rigidtop.codegen.lines import StraightLine, straight_line
+from rigidtop.codegen.solve import SingularError, solved
 from rigidtop.errors import RigidtopError
 from rigidtop.proof import decide
+from rigidtop.system.balance import Balance
 from rigidtop.system.forms import LARGEST, expanded, grouped, parts_of, readable, short
 from rigidtop.system.names import (
     Given,
@@ -25,6 +28,12 @@ from rigidtop.system.names import (
     own_functions,
 )
 from rigidtop.system.parts import Part
+
+SMALL = 600
+"""Operations in a program up to which normal forms are tried, to see whether they are shorter."""
+
+NORMAL = (grouped, lambda value, _: value, lambda value, _: short(value))
+"""Forms of the entries of M and f."""
 
 CRAMER = 3
 """Rows of a part of the mass matrix up to which determinants are written out."""
@@ -209,32 +218,41 @@ class Derived:
 
     @cached_property
     def program(self) -> StraightLine:
-        """q̈, then the multipliers, as the shortest straight-line program that was found.
+        """q̈, then −λ, as the shortest straight-line program that was found.
 
         Raises RigidtopError where the mass matrix is singular for every motion.
         """
+        try:
+            made = [self._on_graph()]
+            if made[0].operations < SMALL:
+                made += map(self._by_normal_form, NORMAL)
+        except SingularError:
+            raise RigidtopError(self._why_singular(self._balance[0])) from None
+        return min(made, key=lambda each: each.operations)
+
+    def _on_graph(self) -> StraightLine:
+        """The program of which no expression is ever written down."""
+
+        def program(graph: Graph) -> StraightLine:
+            balance = Balance(self, graph)
+            way = balance.of_parts if self.parts else balance.of_lagrangian
+            return straight_line(graph, balance.solved(*way()), self._free())
+
+        names = self.names
+        return somewhere((names.t, *names.q, *names.v, *self._letters, *self._given), program)
+
+    def _by_normal_form(self, form: Callable[[Expr, Sequence[Symbol]], Expr]) -> StraightLine:
+        """The program that M and f have in a normal form."""
         mass, force = self._balance
-        raw = [*mass, *force]
-        sizes = [x.count_ops() for x in raw]
-        forms = [
-            [
-                grouped(x, self.names.v) if k < LARGEST else x
-                for x, k in zip(raw, sizes, strict=True)
-            ]
-        ]
-        if sum(sizes) < LARGEST:  # otherwise the first is the shortest by far
-            forms += [raw, [short(x) for x in raw]]
         n = len(force)
+        entries = [form(x, self.names.v) for x in (*mass, *force)]
+        matrix, right = self.with_constraints(Matrix(n, n, entries[: n * n]), entries[n * n :])
+        return solved(matrix, right, self._free())
+
+    def _free(self) -> Iterator[Symbol]:
+        """Names for the lines of a program."""
         taken = {x.name for x in self._letters} | {x.name for x in self.multipliers}
-        found: list[StraightLine] = []
-        for entries in forms:
-            free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
-            matrix, right = self.with_constraints(Matrix(n, n, entries[: n * n]), entries[n * n :])
-            try:
-                found.append(solved(matrix, right, free))
-            except SingularError:
-                raise RigidtopError(self._why_singular(mass)) from None
-        return min(found, key=lambda each: each.operations)
+        return (x for x in sympy.numbered_symbols("x") if x.name not in taken)
 
     def with_constraints(self, mass: Matrix, force: list[Expr]) -> tuple[Matrix, list[Expr]]:
         """With a row for each constraint, derived by time until it has accelerations."""
@@ -290,6 +308,10 @@ class Derived:
         """All that L, the forces and the constraints have."""
         group = (self.plain, *self.generalised_forces, *self.rules)
         return tuple(sorted(set().union(*(x.free_symbols for x in group)), key=str))
+
+    @property
+    def _given(self) -> tuple[Expr, ...]:
+        return (self.plain, *self.generalised_forces, *self.rules)
 
     @cached_property
     def parameters(self) -> tuple[Symbol, ...]:
