@@ -5,14 +5,15 @@ Derivatives are forward ones, along coordinates, velocities and time; nothing is
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import sympy
+from sympy import Expr
 
-from rigidtop.codegen.graph import ONE, ZERO, Direction, Graph, Value
+from rigidtop.codegen.graph import ONE, ZERO, Direction, Graph, Leaf, Value
 from rigidtop.codegen.solve import solutions
 from rigidtop.system.parts import Body, Part
 
@@ -24,12 +25,38 @@ Column = Sequence[Value]
 
 
 @dataclass(frozen=True)
-class Inertia:
-    """What moves, as rows with an inertia each: ∂v/∂q̇, and the force that q̈ = 0 needs."""
+class Row:
+    """One component of what moves: its rate v with ∂v/∂q̇, its inertia, the force for q̈ = 0."""
 
-    jacobian: Sequence[Column]
-    inertia: Column
-    bias: Column
+    jacobian: Column
+    rate: Value
+    inertia: Value
+    bias: Value
+
+
+@dataclass(frozen=True)
+class Balanced:
+    """M and f of M q̈ = f, A and c of A q̈ = c, and what else is made of the letters of L."""
+
+    graph: Graph
+    mass: Sequence[Column]
+    force: Column
+    constraints: Sequence[Column]
+    right: Column
+    energy: Value
+
+    def solved(self) -> tuple[Graph, list[Value]]:
+        """The graph; q̈, and the multipliers with the sign that leaves the matrix symmetric: −λ."""
+        lines = [[*line, *(A[i] for A in self.constraints)] for i, line in enumerate(self.mass)]
+        lines += [[*A, *(ZERO for _ in self.constraints)] for A in self.constraints]
+        return self.graph, solutions(self.graph, lines, [*self.force, *self.right])
+
+    @property
+    def leaves(self) -> list[Expr]:
+        """The letters that enter."""
+        values = (self.energy, *self.force, *(x for row in self.mass for x in row))
+        nodes = (self.graph.nodes[k] for k in self.graph.below(values))
+        return [node.expression for node in nodes if isinstance(node, Leaf)]
 
 
 @dataclass(frozen=True)
@@ -88,51 +115,61 @@ class Balance:
 
     # --- the two ways -----------------------------------------------------------------------------
 
-    def of_parts(self) -> tuple[list[list[Value]], list[Value]]:
-        """Σ ((∂v/∂q̇)ᵀ(m v̇) + (∂ω/∂q̇)ᵀ(λω̇ + ω × λω)) = Q − ∂V/∂q: d'Alembert's principle."""
-        n = len(self.velocities)
-        moved = [each for part in self.system.parts for each in self.inertias(part)]
-        rows = [row for each in moved for row in zip(each.jacobian, each.inertia, strict=True)]
-        forces = [(J, b) for each in moved for J, b in zip(each.jacobian, each.bias, strict=True)]
-        mass = self.symmetric(lambda i, j: self.products((J[i], J[j], m) for J, m in rows), n)
-        potential = self.graph.expression(self.system.names.plain(self.system.potential))
-        slopes = self.slopes(potential, self.along_places)
-        inert = {
-            i: self.products((J[i], ONE, b) for J, b in reversed(forces))
-            for i in reversed(range(n))  # what is last moves least, and is part of what is before
-        }
-        return mass, [
-            self.graph.total([Q, self.less(slopes[i]), self.less(inert[i])])
-            for i, Q in enumerate(self.acting)
-        ]
+    def of_parts(self) -> Balanced:
+        """By d'Alembert's principle for the parts, and by Lagrange for the rest of L."""
+        return self.made(self.system.names.plain(self.system.rest), self.system.parts)
 
-    def symmetric(self, entry: Callable[[int, int], Value], n: int) -> list[list[Value]]:
-        """A matrix by its entries on the diagonal and below."""
-        lower = {(i, j): entry(i, j) for i in reversed(range(n)) for j in range(i + 1)}
-        return [[lower[max(i, j), min(i, j)] for j in range(n)] for i in range(n)]
+    def of_lagrangian(self) -> Balanced:
+        """By Lagrange for all of L."""
+        return self.made(self.system.plain, ())
 
-    def of_lagrangian(self) -> tuple[list[list[Value]], list[Value]]:
-        """(∂²L/∂q̇∂q̇) q̈ = ∂L/∂q + Q − what ∂L/∂q̇ changes by without q̈: Lagrange's equations."""
-        L = self.graph.expression(self.system.plain)
-        momenta = self.slopes(L, self.along_velocities)
-        mass = self.symmetric(
-            lambda i, j: self.graph.derivative(momenta[i], self.along_velocities[j]), len(momenta)
+    def made(self, given: Expr, parts: Sequence[Part]) -> Balanced:
+        """What a Lagrangian gives besides parts.
+
+        (∂²L/∂q̇∂q̇) q̈ = ∂L/∂q + Q − what ∂L/∂q̇ changes by without q̈, and of the parts
+        Σ ((∂v/∂q̇)ᵀ(m v̇) + (∂ω/∂q̇)ᵀ(λω̇ + ω × λω)).
+        """
+        graph, n = self.graph, len(self.velocities)
+        L = graph.expression(given)
+        slopes, momenta = (
+            self.slopes(L, each) for each in (self.along_places, self.along_velocities)
         )
-        return mass, [
-            self.graph.total([Q, slope, self.less(self.rate(p))])
-            for Q, slope, p in zip(
-                self.acting, self.slopes(L, self.along_places), momenta, strict=True
-            )
-        ]
+        rows = [row for part in parts for row in self.rows(part)]
 
-    @property
+        def mass(i: int, j: int) -> Value:
+            own = self.products((row.jacobian[i], row.jacobian[j], row.inertia) for row in rows)
+            return graph.total([own, graph.derivative(momenta[i], self.along_velocities[j])])
+
+        # From the last, which moves least: its sums are parts of those before.
+        lower = {(i, j): mass(i, j) for i in reversed(range(n)) for j in range(i + 1)}
+        force = {
+            i: graph.total(
+                [
+                    self.acting[i],
+                    slopes[i],
+                    self.less(self.rate(momenta[i])),
+                    self.less(self.products((row.jacobian[i], ONE, row.bias) for row in rows)),
+                ]
+            )
+            for i in reversed(range(n))
+        }
+        squares = (graph.product([row.inertia, row.rate, row.rate]) for row in rows)
+        return Balanced(
+            graph,
+            [[lower[max(i, j), min(i, j)] for j in range(n)] for i in range(n)],
+            [force[i] for i in range(n)],
+            *self.held(),
+            graph.total([L, *squares]),
+        )
+
+    @cached_property
     def acting(self) -> list[Value]:
         """Q − ∂ℱ/∂q̇."""
         names = self.system.names
         dissipation = self.graph.expression(names.plain(self.system.rayleigh))
         lost = self.slopes(dissipation, self.along_velocities)
         return [
-            self.graph.difference(self.graph.expression(names.plain(Q)), F)
+            self.graph.total([self.graph.expression(names.plain(Q)), self.less(F)])
             for Q, F in zip(self.system.forces, lost, strict=True)
         ]
 
@@ -147,63 +184,46 @@ class Balance:
             right.append(self.less(self.rate(value)))
         return rows, right
 
-    def solved(self, mass: list[list[Value]], force: list[Value]) -> list[Value]:
-        """q̈, and multipliers with the sign of the unknowns that leave the matrix symmetric: −λ."""
-        rows, right = self.held()
-        lines = [[*line, *(A[i] for A in rows)] for i, line in enumerate(mass)]
-        lines += [[*A, *(ZERO for _ in rows)] for A in rows]
-        return solutions(self.graph, lines, [*force, *right])
-
     # --- masses and bodies ------------------------------------------------------------------------
 
-    def inertias(self, part: Part) -> list[Inertia]:
+    def rows(self, part: Part) -> Iterator[Row]:
         """Of the centre of mass, and of the turning about it."""
         graph, names = self.graph, self.system.names
         mass = graph.expression(names.plain(part.mass))
-        made = []
         if mass != ZERO:
-            place = [graph.expression(x) for x in names.plain(part.place)]
-            jacobian = [self.slopes(x, self.along_places) for x in place]
-            bias = [graph.product([mass, self.rate(self.rate(x))]) for x in place]
-            made.append(Inertia(jacobian, [mass] * 3, bias))
+            for x in names.plain(part.place):
+                place = graph.expression(x)
+                rate = self.rate(place)
+                bias = graph.product([mass, self.rate(rate)])
+                yield Row(self.slopes(place, self.along_places), rate, mass, bias)
         if isinstance(part, Body):
-            made.append(self.turning(part))
-        return made
+            yield from self.turning(part)
 
-    def turning(self, body: Body) -> Inertia:
+    def turning(self, body: Body) -> list[Row]:
         """λω̇ + ω × λω, with ω from RᵀṘ = hat(ω)."""
         graph, names = self.graph, self.system.names
         attitude = names.plain(body.attitude)
         R = [[graph.expression(x) for x in attitude.row(k)] for k in range(3)]
         moments = [graph.expression(names.plain(x)) for x in body.moments]
 
-        def spin(rates: Sequence[Column]) -> list[Value]:
+        def spin(direction: Direction) -> list[Value]:
+            rates = [[graph.derivative(x, direction) for x in row] for row in R]
             return [
                 graph.total(graph.product([R[k][i], rates[k][j]]) for k in range(3))
                 for i, j in ((2, 1), (0, 2), (1, 0))
             ]
 
-        by_places = [
-            spin([[graph.derivative(x, each) for x in row] for row in R])
-            for each in self.along_places
-        ]
-        jacobian = [list(row) for row in zip(*by_places, strict=True)]
-        own = spin([[graph.derivative(x, Direction({names.t: ONE})) for x in row] for row in R])
+        jacobian = list(zip(*map(spin, self.along_places), strict=True))
         omega = [
-            graph.total(
-                [
-                    own[k],
-                    *(graph.product([J, v]) for J, v in zip(row, self.velocities, strict=True)),
-                ]
-            )
-            for k, row in enumerate(jacobian)
+            graph.total([x, *map(graph.product, zip(row, self.velocities, strict=True))])
+            for x, row in zip(spin(Direction({names.t: ONE})), jacobian, strict=True)
         ]
-        momentum = [graph.product([x, w]) for x, w in zip(moments, omega, strict=True)]
-        bias = []
+        made = []
         for i, (x, w) in enumerate(zip(moments, omega, strict=True)):
             j, k = (i + 1) % 3, (i + 2) % 3
-            turned = graph.difference(
-                graph.product([omega[j], momentum[k]]), graph.product([omega[k], momentum[j]])
+            turned = graph.product(
+                [graph.total([moments[k], self.less(moments[j])]), omega[j], omega[k]]
             )
-            bias.append(graph.total([graph.product([x, self.rate(w)]), turned]))
-        return Inertia(jacobian, moments, bias)
+            bias = graph.total([graph.product([x, self.rate(w)]), turned])
+            made.append(Row(jacobian[i], w, x, bias))
+        return made
