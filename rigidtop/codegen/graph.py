@@ -19,6 +19,7 @@ import random
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import lru_cache
 from typing import Any, NamedTuple, TypeVar
 
@@ -51,7 +52,10 @@ SPARE = 1000
 CANDIDATES = 32
 """Sums, and products, with a term in common that are tried as a part of another."""
 
-Value = tuple[Expr, int]
+Number = Any
+"""An integer or a fraction of Python, which are quick, or a decimal number of SymPy."""
+
+Value = tuple[Number, int]
 """A number times a node."""
 
 
@@ -66,7 +70,7 @@ class Product(NamedTuple):
 
 class Power(NamedTuple):
     base: Value
-    exponent: Expr
+    exponent: Number
 
 
 class Call(NamedTuple):
@@ -82,9 +86,9 @@ class Leaf(NamedTuple):
 
 Node = Sum | Product | Power | Call | Leaf
 
-ZERO: Value = (sympy.S.Zero, 0)
-ONE: Value = (sympy.S.One, 0)
-MINUS: Value = (sympy.S.NegativeOne, 0)
+ZERO: Value = (0, 0)
+ONE: Value = (1, 0)
+MINUS: Value = (-1, 0)
 
 
 @dataclass(frozen=True)
@@ -114,28 +118,31 @@ class Graph:
 
     def number(self, value: Value) -> Any:
         """The value at the point."""
-        return DIGITS.convert(value[0]) * self.numbers[value[1]]
+        c, k = value
+        return self.numbers[k] if c == 1 else DIGITS.convert(c) * self.numbers[k]
 
     def total(self, values: Iterable[Value]) -> Value:
         """The sum."""
-        collected: dict[int, Expr] = {}
+        collected: dict[int, Number] = {}
         for c, k in self._flat(values):
-            collected[k] = collected.get(k, sympy.S.Zero) + c
+            collected[k] = collected.get(k, 0) + c
         terms = sorted((k, c) for k, c in collected.items() if c != 0)
         if not terms:
             return ZERO
-        scale = terms[0][1]
-        if any(abs(c) != abs(scale) for _, c in terms):
-            scale = sympy.sign(scale)
+        k, scale = terms[0]
         if len(terms) == 1:
-            return scale, terms[0][0]
-        items = [(c / scale, k) for k, c in terms]
+            return scale, k
+        if all(abs(c) == abs(scale) for _, c in terms):
+            items = [(1 if c == scale else -1, k) for k, c in terms]
+        else:
+            scale = _sign(scale)
+            items = [(c * scale, k) for k, c in terms]
         numbers = [self.number(item) for item in items]
         number = sum(numbers)
         analytic = all(self._analytic[k] for _, k in items)
         if analytic and abs(number) < DIGITS.ldexp(max(map(abs, numbers)), -SAME):
             return ZERO
-        made = self._grouped(Sum, items, lambda k: (sympy.S.One, k))
+        made = self._grouped(Sum, items, lambda k: (1, k))
         return self._times(scale, self._node(Sum(made), number, analytic, frozenset(items)))
 
     def _flat(self, values: Iterable[Value]) -> Iterator[Value]:
@@ -147,17 +154,17 @@ class Graph:
 
     def difference(self, value: Value, other: Value) -> Value:
         """The first less the second."""
-        return self.total([value, self._times(sympy.S.NegativeOne, other)])
+        return self.total([value, self._times(-1, other)])
 
     def product(self, values: Iterable[Value], below: Iterable[Value] = ()) -> Value:
         """The product of some, divided by the product of others."""
-        scale: Expr = sympy.S.One
-        powers: dict[Value, Expr] = {}
+        scale: Number = 1
+        powers: dict[Value, Number] = {}
         for group, sign in ((values, 1), (below, -1)):
             for c, k in group:
-                scale = scale * c if sign > 0 else scale / c
+                scale *= c if sign > 0 else _reciprocal(c)
                 for base, exponent in self._factors(k):
-                    powers[base] = powers.get(base, sympy.S.Zero) + sign * exponent
+                    powers[base] = powers.get(base, 0) + sign * exponent
         if scale == 0:
             return ZERO
         over = sorted(self._power(base, e) for base, e in powers.items() if e > 0)
@@ -185,12 +192,13 @@ class Graph:
         size = abs(c)
         node = Sum(((size, k),))
         made = self._node(node, self.number((size, k)), self._analytic[k])
-        return self._times(sympy.sign(c), made)
+        return self._times(_sign(c), made)
 
-    def power(self, base: Value, exponent: Expr) -> Value:
+    def power(self, base: Value, exponent: Number) -> Value:
         """base**exponent, for a number as exponent."""
-        if exponent.is_Integer:
-            scale = base[0] ** exponent
+        if isinstance(exponent, int):
+            c = base[0] if exponent > 0 else _reciprocal(base[0])
+            scale = c ** abs(exponent)
             powers = [(b, e * exponent) for b, e in self._factors(base[1])]
             up, down = (
                 [(b, e) for b, e in powers if bool(e > 0) is over] for over in (True, False)
@@ -198,13 +206,13 @@ class Graph:
             return self._times(
                 scale,
                 self.product(
-                    [(sympy.S.One, self._power(b, e)) for b, e in up],
-                    [(sympy.S.One, self._power(b, -e)) for b, e in down],
+                    [(1, self._power(b, e)) for b, e in up],
+                    [(1, self._power(b, -e)) for b, e in down],
                 ),
             )
         if exponent < 0:
-            return self.product([], [(sympy.S.One, self._power(base, -exponent))])
-        return sympy.S.One, self._power(base, exponent)
+            return self.product([], [(1, self._power(base, -exponent))])
+        return 1, self._power(base, exponent)
 
     def call(self, function: Any, arguments: Sequence[Value]) -> Value:
         """A function of some arguments; what is odd or even in a sign is left to SymPy."""
@@ -216,7 +224,7 @@ class Graph:
             number = _number(function(*map(_float, numbers)))
         return self._node(Call(function, tuple(arguments)), number, analytic)
 
-    def _factors(self, k: int) -> Iterator[tuple[Value, Expr]]:
+    def _factors(self, k: int) -> Iterator[tuple[Value, Number]]:
         node = self.nodes[k]
         if isinstance(node, Power):
             yield node.base, node.exponent
@@ -225,18 +233,18 @@ class Graph:
                 for each in group:
                     yield from ((base, sign * e) for base, e in self._factors(each))
         elif k != 0:
-            yield (sympy.S.One, k), sympy.S.One
+            yield (1, k), 1
 
-    def _power(self, base: Value, exponent: Expr) -> int:
+    def _power(self, base: Value, exponent: Number) -> int:
         if exponent == 1 and base[0] == 1:
             return base[1]
         number = DIGITS.power(self.number(base), DIGITS.convert(exponent))
         if not isinstance(number, DIGITS.mpf):
             raise NotRealError(f"a power with the exponent {exponent}")
-        analytic = bool(exponent.is_Integer) and self._analytic[base[1]]
+        analytic = isinstance(exponent, int) and self._analytic[base[1]]
         return self._node(Power(base, exponent), number, analytic, signed=False)[1]
 
-    def _times(self, scale: Expr, value: Value) -> Value:
+    def _times(self, scale: Number, value: Value) -> Value:
         return (scale * value[0], value[1]) if scale != 0 else ZERO
 
     def _grouped(self, kind: type, items: Sequence[Any], single: Callable[[int], Any]) -> Any:
@@ -268,12 +276,12 @@ class Graph:
         if place is not None:
             return place
         size = mpmath.libmp.mpf_abs(number._mpf_, SAME, "n") if analytic else None
-        sign = sympy.S.NegativeOne if analytic and number < 0 else sympy.S.One
+        sign = -1 if analytic and number < 0 else 1
         if analytic and size in self._equals and (signed or self._equals[size][0] == sign):
             c, k = self._equals[size]
             made = (sign * c, k)
         else:
-            made = (sympy.S.One, len(self.nodes))
+            made = (1, len(self.nodes))
             self.nodes.append(node)
             self.numbers.append(number)
             self._analytic.append(analytic)
@@ -298,13 +306,13 @@ class Graph:
 
     def _walked(self, given: Expr) -> Value:
         if given.is_Rational or given.is_Float:
-            return (given, 0) if given != 0 else ZERO
+            return (_quick(given), 0) if given != 0 else ZERO
         if given.is_Add:
             return self.total(map(self.expression, given.args))
         if given.is_Mul:
             return self.product(map(self.expression, given.args))
         if given.is_Pow and (given.exp.is_Rational or given.exp.is_Float):
-            return self.power(self.expression(given.base), given.exp)
+            return self.power(self.expression(given.base), _quick(given.exp))
         if _is_called(given):
             return self.call(given.func, [self.expression(x) for x in given.args])
         number = self.point.get(given)
@@ -351,12 +359,12 @@ class Graph:
     def _of_product(self, k: int, node: Product, known: Mapping[int, Value]) -> Iterator[Value]:
         for i, j in enumerate(node.above):
             if known[j] != ZERO:
-                others = [(sympy.S.One, x) for x in (*node.above[:i], *node.above[i + 1 :])]
-                yield self.product([*others, known[j]], [(sympy.S.One, x) for x in node.below])
+                others = [(1, x) for x in (*node.above[:i], *node.above[i + 1 :])]
+                yield self.product([*others, known[j]], [(1, x) for x in node.below])
         for j in node.below:
             if known[j] != ZERO:
-                share = self.product([(sympy.S.One, k), known[j]], [(sympy.S.One, j)])
-                yield self._times(sympy.S.NegativeOne, share)
+                share = self.product([(1, k), known[j]], [(1, j)])
+                yield self._times(-1, share)
 
     def _slope(self, node: Call, i: int) -> Value:
         """∂f/∂xᵢ."""
@@ -377,7 +385,7 @@ class Graph:
         if given.is_Mul:
             return self.product(parts)
         if given.is_Pow and given.exp.is_Rational:
-            return self.power(parts[0], given.exp)
+            return self.power(parts[0], _quick(given.exp))
         return self.call(given.func, parts)
 
     # --- out --------------------------------------------------------------------------------------
@@ -392,6 +400,23 @@ class Graph:
                 reached.add(k)
                 left += parts(self.nodes[k])
         return sorted(reached)
+
+
+def _quick(number: Expr) -> Number:
+    """A number of SymPy as one of Python, where that loses nothing."""
+    if number.is_Integer:
+        return int(number)
+    return Fraction(number.p, number.q) if number.is_Rational else number
+
+
+def _sign(number: Number) -> int:
+    return 1 if number > 0 else -1
+
+
+def _reciprocal(number: Number) -> Number:
+    if isinstance(number, int):
+        return number if abs(number) == 1 else Fraction(1, number)
+    return 1 / number
 
 
 def parts(node: Node) -> list[int]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from heapq import heapify, heappop, heappush
 from itertools import combinations, count
 from typing import Any
@@ -12,7 +13,18 @@ from typing import Any
 import sympy
 from sympy import Expr, Symbol
 
-from rigidtop.codegen.graph import Call, Graph, Leaf, Node, Power, Product, Sum, Value, parts
+from rigidtop.codegen.graph import (
+    Call,
+    Graph,
+    Leaf,
+    Node,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Value,
+    parts,
+)
 
 MOST_TERMS = 64
 """Terms of a sum on one line: Python's own compiler fails at sums of thousands."""
@@ -25,7 +37,7 @@ class StraightLine:
     shared: tuple[tuple[Symbol, Expr], ...]
     results: tuple[Expr, ...]
 
-    @property
+    @cached_property
     def operations(self) -> int:
         """Sums, products, powers, signs and calls."""
         return int(sympy.count_ops([*(value for _, value in self.shared), *self.results]))
@@ -85,15 +97,15 @@ def _with_numbers(nodes: dict[int, Node]) -> None:
             nodes[own[key]] = node
         return own[key]
 
-    def term(c: Expr, j: int) -> Value:
+    def term(c: Number, j: int) -> Value:
         size, node = abs(c), nodes[j]
         if size == 1 or j == 0:
             return c, j
-        number = put(size, Leaf(size))
+        number = put(size, Leaf(sympy.sympify(size)))
         if isinstance(node, Product) and uses[j] == 1:
             nodes[j] = Product((number, *node.above), node.below)
-            return sympy.sign(c), j
-        return sympy.sign(c), put((size, j), Product((number, j), ()))
+            return (1 if c > 0 else -1), j
+        return (1 if c > 0 else -1), put((size, j), Product((number, j), ()))
 
     for k, node in list(nodes.items()):
         if isinstance(node, Sum):
@@ -123,7 +135,7 @@ def _pair(nodes: dict[int, Node], kind: type[Sum] | type[Product]) -> None:
             continue
         whole = next((k for k in group if len(items[k]) == 2 and not any(nodes[k][1:])), None)
         place = next(free) if whole is None else whole
-        single = place if kind is Product else (sympy.S.One, place)
+        single = place if kind is Product else (1, place)
         nodes[place] = Product(pair, ()) if kind is Product else Sum(pair)
         fresh = set()
         for k in group:
@@ -184,20 +196,24 @@ class _Written:
         if isinstance(node, Product):
             for j in (*node.above, *node.below):
                 self.signs[k] *= self.signs[j]
-            above, below = ([self.known[j] for j in group] for group in node)
-            number = sympy.Mul(*(x for x in above if x.is_Number))
-            rest = sympy.Mul(*(x for x in above if not x.is_Number))
-            return _multiple(number, rest / sympy.Mul(*below))
+            above = [self.known[j] for j in node.above]
+            below = [1 / self.known[j] for j in node.below]
+            numbers = [x for x in above if x.is_Number]
+            rest = sympy.Mul(*(x for x in above if not x.is_Number), *below)
+            return _multiple(sympy.Mul(*numbers), rest) if numbers else rest
         if isinstance(node, Power):
-            return self.value(node.base) ** node.exponent
+            return self.value(node.base) ** sympy.sympify(node.exponent)
         if isinstance(node, Call):
             return node.function(*map(self.value, node.arguments))
         return node.expression
 
 
-def _multiple(c: Expr, x: Expr) -> Expr:
+def _multiple(c: Number, x: Expr) -> Expr:
     """A number times an expression, not multiplied out."""
-    return sympy.Mul(c, x, evaluate=False) if x.is_Add and abs(c) != 1 else c * x
+    if c == 1:
+        return x
+    c = sympy.sympify(c)
+    return sympy.Mul(c, x, evaluate=False) if x.is_Add and c != -1 else c * x
 
 
 def in_pieces(

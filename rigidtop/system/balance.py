@@ -10,10 +10,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-import sympy
 from sympy import Expr
 
-from rigidtop.codegen.graph import ONE, ZERO, Direction, Graph, Leaf, Value
+from rigidtop.codegen.graph import MINUS, ONE, ZERO, Direction, Graph, Leaf, Value
 from rigidtop.codegen.solve import solutions
 from rigidtop.system.parts import Body, Part
 
@@ -97,7 +96,7 @@ class Balance:
 
     def less(self, value: Value) -> Value:
         """−x."""
-        return self.graph.product([(sympy.S.NegativeOne, 0), value])
+        return self.graph.product([MINUS, value])
 
     def products(self, triples: Iterable[tuple[Value, Value, Value]]) -> Value:
         """Σ abc, by a, then by b: what is in all masses goes out."""

@@ -30,7 +30,7 @@ from rigidtop.system.names import (
 from rigidtop.system.parts import Part, kinetic_energy
 
 SMALL = 600
-"""Operations in a program up to which normal forms are tried, to see whether they are shorter."""
+"""Nodes of a graph up to which normal forms are tried, to see whether they are shorter."""
 
 NORMAL = (grouped, lambda value, _: value, lambda value, _: short(value))
 """Forms of the entries of M and f."""
@@ -235,11 +235,11 @@ class Derived:
         """
         try:
             made = [straight_line(*self._on_graph.solved(), self.free())]
-            if made[0].operations < SMALL:
+            if len(self._on_graph.graph.nodes) < SMALL:
                 made += map(self._by_normal_form, NORMAL)
         except SingularError:
             raise RigidtopError(self._why_singular(self._balance[0])) from None
-        return min(made, key=lambda each: each.operations)
+        return min(made, key=lambda each: each.operations) if made[1:] else made[0]
 
     @cached_property
     def _on_graph(self) -> Balanced:

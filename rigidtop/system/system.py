@@ -187,9 +187,9 @@ class System(Computed):
         """How far other ways to q̈ are from the program, at most, at states that are drawn.
 
         "Hamilton" by H(q, p); "Newton–Euler" by d'Alembert's principle and "Lagrange" by L, where
-        the system was made of parts; "balance of energy" is dE/dt less the power of the forces.  Differences are
-        relative; all are rounding where all is well.  Raises RigidtopError where there is no other
-        way.
+        the system was made of parts; "balance of energy" is dE/dt less the power of the forces.
+        Differences are relative; all are rounding where all is well.  Raises RigidtopError where
+        there is no other way.
         """
         from rigidtop.system.certify import certify
 
