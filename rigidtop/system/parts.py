@@ -130,4 +130,5 @@ def kinetic_energy(parts: Sequence[Part], names: Names) -> Expr:
 
 def potential_energy(parts: Sequence[Part], gravity: MatrixBase) -> Expr:
     """−Σ m g·r for the `gravity` g (3×1)."""
-    return -sympy.Add(*(part.mass * gravity.dot(part.place) for part in parts))
+    along = [k for k in range(3) if gravity[k] != 0]
+    return -sympy.Add(*(part.mass * gravity[k] * part.place[k] for part in parts for k in along))
