@@ -7,7 +7,7 @@ and has the same value as another node is the same function: sin² + cos² is 1 
 >>> x, y = sympy.symbols("x y")
 >>> graph = Graph(next(points([x, y])))
 >>> value = graph.expression((x + y) ** 2 * (sympy.sin(x) ** 2 + sympy.cos(x) ** 2))
->>> slope = graph.derivative(value, Direction({x: graph.one}))
+>>> slope = graph.derivative(value, Direction({x: ONE}))
 >>> from rigidtop.codegen.lines import straight_line
 >>> straight_line(graph, [value, slope], sympy.numbered_symbols("x"))
 StraightLine(shared=((x0, x + y),), results=(x0**2, 2*x0))
@@ -60,20 +60,28 @@ Value = tuple[Number, int]
 
 
 class Sum(NamedTuple):
+    """Numbers times nodes, added."""
+
     terms: tuple[Value, ...]
 
 
 class Product(NamedTuple):
+    """Nodes multiplied, and those by which that is divided."""
+
     above: tuple[int, ...]
     below: tuple[int, ...]
 
 
 class Power(NamedTuple):
+    """A value to the power of a number that is positive and not 1."""
+
     base: Value
     exponent: Number
 
 
 class Call(NamedTuple):
+    """A function of SymPy, and values that it is of."""
+
     function: Any
     arguments: tuple[Value, ...]
 
@@ -112,7 +120,7 @@ class Graph:
         self._items: dict[int, frozenset[Any]] = {}
         self._having: dict[Any, list[int]] = {}
         self._expressions: dict[Expr, Value] = {}
-        self.one = self._node(Leaf(sympy.S.One), DIGITS.one, True)
+        self._node(Leaf(sympy.S.One), DIGITS.one, True)
 
     # --- arithmetic -------------------------------------------------------------------------------
 

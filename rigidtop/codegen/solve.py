@@ -4,6 +4,7 @@ A symbolic inverse of an n × n matrix has of the order of n! terms; its elimina
 Where the matrix is symmetric, so is the elimination (LDLᵀ), which halves the work; zeros cost
 nothing.
 
+>>> import sympy
 >>> a, b, c, f, g = sympy.symbols("a b c f g")
 >>> made = solved(sympy.Matrix([[a, b], [b, c]]), [f, g], sympy.numbered_symbols("x"))
 >>> for name, value in made.shared:

@@ -35,14 +35,15 @@ class Row:
 
 @dataclass(frozen=True)
 class Balanced:
-    """M and f of M q̈ = f, A and c of A q̈ = c, and what else is made of the letters of L."""
+    """M and f of M q̈ = f, with the constraints A q̈ = c."""
 
     graph: Graph
     mass: Sequence[Column]
     force: Column
     constraints: Sequence[Column]
     right: Column
-    energy: Value
+    whole: Value
+    """A sum of all that L is made of: it has the letters of L."""
 
     def solved(self) -> tuple[Graph, list[Value]]:
         """The graph; q̈, and the multipliers with the sign that leaves the matrix symmetric: −λ."""
@@ -53,7 +54,7 @@ class Balanced:
     @property
     def leaves(self) -> list[Expr]:
         """The letters that enter."""
-        values = (self.energy, *self.force, *(x for row in self.mass for x in row))
+        values = (self.whole, *self.force, *(x for row in self.mass for x in row))
         nodes = (self.graph.nodes[k] for k in self.graph.below(values))
         return [node.expression for node in nodes if isinstance(node, Leaf)]
 
@@ -116,13 +117,13 @@ class Balance:
 
     def of_parts(self) -> Balanced:
         """By d'Alembert's principle for the parts, and by Lagrange for the rest of L."""
-        return self.made(self.system.names.plain(self.system.rest), self.system.parts)
+        return self.balanced(self.system.names.plain(self.system.rest), self.system.parts)
 
     def of_lagrangian(self) -> Balanced:
         """By Lagrange for all of L."""
-        return self.made(self.system.plain, ())
+        return self.balanced(self.system.plain, ())
 
-    def made(self, given: Expr, parts: Sequence[Part]) -> Balanced:
+    def balanced(self, given: Expr, parts: Sequence[Part]) -> Balanced:
         """What a Lagrangian gives besides parts.
 
         (∂²L/∂q̇∂q̇) q̈ = ∂L/∂q + Q − what ∂L/∂q̇ changes by without q̈, and of the parts
@@ -152,7 +153,7 @@ class Balance:
             )
             for i in reversed(range(n))
         }
-        squares = (graph.product([row.inertia, row.rate, row.rate]) for row in rows)
+        squares = [graph.product([row.inertia, row.rate, row.rate]) for row in rows]
         return Balanced(
             graph,
             [[lower[max(i, j), min(i, j)] for j in range(n)] for i in range(n)],
