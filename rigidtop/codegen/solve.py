@@ -18,6 +18,8 @@ x1 = (-f*x0 + g)/(-b*x0 + c)
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from itertools import tee
 
 from sympy import Expr, MatrixBase, Symbol
 
@@ -39,12 +41,18 @@ def solved(matrix: MatrixBase, right: Sequence[Expr], names: Iterator[Symbol]) -
     entries have no real values.
     """
 
-    def program(graph: Graph) -> StraightLine:
+    def program(graph: Graph, step: int, names: Iterator[Symbol]) -> StraightLine:
         rows = [[graph.expression(x) for x in matrix.row(i)] for i in range(matrix.rows)]
-        made = solutions(graph, rows, [graph.expression(x) for x in right])
-        return straight_line(graph, made, names)
+        column = [graph.expression(x) for x in right]
+        found = solutions(graph, [row[::step] for row in rows[::step]], column[::step])
+        return straight_line(graph, found[::step], names)
 
-    return somewhere([*matrix, *right], program)
+    # From the first, or from the last: neither is always shorter.
+    made = [
+        somewhere([*matrix, *right], partial(program, step=step, names=own))
+        for step, own in zip((1, -1), tee(names), strict=True)
+    ]
+    return min(made, key=lambda each: each.operations)
 
 
 def solutions(
