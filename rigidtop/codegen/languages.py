@@ -38,7 +38,7 @@ from sympy.printing.jscode import JavascriptCodePrinter
 from sympy.printing.julia import JuliaCodePrinter
 from sympy.printing.octave import OctaveCodePrinter
 
-from rigidtop.codegen.solve import StraightLine, in_pieces
+from rigidtop.codegen.lines import StraightLine, in_pieces
 from rigidtop.codegen.source import INDENT, WIDTH, Printer, body, broken, signature
 from rigidtop.codegen.values import Line, Value, Values
 from rigidtop.proof.equation import Equation

@@ -28,6 +28,7 @@ import math
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -36,7 +37,7 @@ from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
 from rigidtop.codegen import source
-from rigidtop.codegen.solve import StraightLine, in_pieces
+from rigidtop.codegen.lines import StraightLine, in_pieces
 
 
 @dataclass(frozen=True)
@@ -103,18 +104,21 @@ def function(
     program = StraightLine(tuple(lines), tuple(results))
     try:
         text = source.signature(name, [a.name for a in arguments]) + source.body(program)
-        over_arrays = _over_arrays(program, arguments)
     except NotImplementedError as error:
         [what] = re.findall(r"\w+(?='>)", str(error))[-1:] or [str(error)]
         raise ValueError(f"{name}: Python has no {what}") from None
     known = {word: value for word, value in vars(math).items() if not word.startswith("_")}
     exec("\n".join(text), known)
 
+    @cache
+    def over_arrays() -> Any:
+        return _over_arrays(program, arguments)
+
     def array(*values: Any) -> NDArray[np.float64]:
         inputs = [np.asarray(value, dtype=float) for value in values]
         shape = np.broadcast_shapes(*(value.shape for value in inputs))
         # An expression that is constant comes back as one number, whatever the shape.
-        return np.stack([np.broadcast_to(value, shape) for value in over_arrays(*inputs)])
+        return np.stack([np.broadcast_to(value, shape) for value in over_arrays()(*inputs)])
 
     function = Function(known[name], array, program, "\n".join(text))
     missing = source.names_called(function.definition) - {*known, *dir(builtins)}

@@ -15,7 +15,7 @@ from sympy.printing.codeprinter import CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pycode import PythonCodePrinter
 
-from rigidtop.codegen.solve import StraightLine
+from rigidtop.codegen.lines import StraightLine
 
 WIDTH = 100
 INDENT = "    "

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy
-from sympy import Expr, MatrixBase
+from sympy import Expr
 
-from rigidtop.codegen.solve import solved
+from rigidtop.codegen.graph import somewhere
+from rigidtop.codegen.lines import straight_line
 from rigidtop.errors import RigidtopError
+from rigidtop.system.balance import Balance, Balanced
 from rigidtop.system.names import numbers
-from rigidtop.system.parts import newton_euler
 
 if TYPE_CHECKING:
     from rigidtop.system.numeric import Computed
@@ -29,13 +30,17 @@ def certify(system: Computed, parameters: Mapping[Expr, object], seed: int = 0) 
     rows = rng.uniform(-1.0, 1.0, (2 * n, STATES))
     times = rng.uniform(0.0, 1.0, STATES)
     with np.errstate(all="ignore"):
-        lagrange = system.numeric.solved.array(times, *rows, *values)
+        solved = system.numeric.solved.array(times, *rows, *values)
         found = {}
         if not system.constraints:
-            found["Hamilton"] = _apart(lagrange, _hamilton(system, times, rows, values))
+            found["Hamilton"] = _apart(solved, _hamilton(system, times, rows, values))
         if system.parts:
-            other = _newton_euler(system).array(times, *rows, *values)
-            found["Newton–Euler"] = _apart(lagrange, other)
+            for name, way in (
+                ("Newton–Euler", Balance.of_parts),
+                ("Lagrange", Balance.of_lagrangian),
+            ):
+                other = _on_graph(system, way).array(times, *rows, *values)
+                found[name] = _apart(solved, other)
         if not system.constraints:
             found["balance of energy"] = _balance(system, times, rows, values)
     if not found:
@@ -77,25 +82,15 @@ def _hamilton(system: Computed, times: Any, rows: Any, values: Any) -> Any:
     return made.array(times, *rows[:n], *momenta, *values)
 
 
-def _newton_euler(system: Computed) -> Any:
+def _on_graph(system: Computed, way: Callable[[Balance], Balanced]) -> Any:
+    """q̈ by d'Alembert's principle, or by Lagrange."""
     names = system.names
-    potential = names.plain(system.potential or sympy.S.Zero)
-    acting = [
-        Q - potential.diff(x) for x, Q in zip(names.q, system.generalised_forces, strict=True)
-    ]
-    mass, force = newton_euler(system.parts, names, acting)
-    matrix, right = system.with_constraints(mass, force)
-    taken = {x.name for x in system.numeric.arguments}
-    free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
-    program = solved(_symmetric(matrix), right, free)
-    return system.numeric.made(program.results, "newton", program.shared)
-
-
-def _symmetric(matrix: MatrixBase) -> MatrixBase:
-    lower: dict[tuple[int, int], Expr] = {
-        (i, j): matrix[i, j] for i in range(matrix.rows) for j in range(i + 1)
-    }
-    return sympy.Matrix(matrix.rows, matrix.cols, lambda i, j: lower[max(i, j), min(i, j)])
+    made = somewhere(
+        (names.t, *names.q, *names.v, *system.given),
+        lambda graph: way(Balance(system, graph)),
+    )
+    program = straight_line(*made.solved(), system.free())
+    return system.numeric.made(program.results, "other", program.shared)
 
 
 def _balance(system: Computed, times: Any, rows: Any, values: Any) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
@@ -12,9 +12,12 @@ import sympy
 from sympy import Dummy, Expr, Integer, Matrix, Rational, Symbol
 from sympy.core.function import AppliedUndef
 
-from rigidtop.codegen.solve import SingularError, StraightLine, points, solved
+from rigidtop.codegen.graph import Graph, points, somewhere
+from rigidtop.codegen.lines import StraightLine, straight_line
+from rigidtop.codegen.solve import SingularError, solved
 from rigidtop.errors import RigidtopError
 from rigidtop.proof import decide
+from rigidtop.system.balance import Balance, Balanced
 from rigidtop.system.forms import LARGEST, expanded, grouped, parts_of, readable, short
 from rigidtop.system.names import (
     Given,
@@ -24,7 +27,13 @@ from rigidtop.system.names import (
     named,
     own_functions,
 )
-from rigidtop.system.parts import Part
+from rigidtop.system.parts import Part, kinetic_energy
+
+SMALL = 600
+"""Nodes of a graph up to which normal forms are tried, to see whether they are shorter."""
+
+NORMAL = (grouped, lambda value, _: value, lambda value, _: short(value))
+"""Forms of the entries of M and f."""
 
 CRAMER = 3
 """Rows of a part of the mass matrix up to which determinants are written out."""
@@ -38,12 +47,16 @@ class Derived:
     system.
     """
 
-    L: Expr
+    rest: Expr
+    """L, or what of it the kinetic energy of the parts is not."""
+
     q: tuple[Expr, ...]
     qdot: tuple[Expr, ...]
     forces: tuple[Expr, ...]
     constraints: tuple[Expr, ...]
     rayleigh: Expr
+    parts: tuple[Part, ...]
+    """The masses and bodies that it was made of, if it was."""
 
     def __init__(
         self,
@@ -54,6 +67,7 @@ class Derived:
         constraints: Given = (),
         *,
         rayleigh: Given = 0,
+        parts: Sequence[Part] = (),
     ) -> None:
         L, rayleigh = expression("L", L), expression("rayleigh", rayleigh)
         if isinstance(constraints, (Expr, sympy.Eq)):
@@ -61,13 +75,14 @@ class Derived:
         rules = tuple(expression("a constraint", each) for each in constraints)
         coordinates = (q,) if isinstance(q, Expr) else q
         acting = _forces(forces, coordinates)
-        letters = set().union(*(x.free_symbols for x in (L, rayleigh, *rules, *acting)))
+        inside = [x for part in parts for x in part.expressions]
+        letters = set().union(*(x.free_symbols for x in (L, rayleigh, *rules, *acting, *inside)))
         names = named(coordinates, (qdot,) if isinstance(qdot, Expr) else qdot, letters)
         plain = all(x.is_Symbol for x in coordinates)
         pushed = rayleigh != 0 or any(Q != 0 for Q in acting)
         for v in names.v:
-            lost = pushed or not all(_even(each, v) for each in (L, *rules))
-            if (v.is_positive or v.is_negative) and lost:
+            signed = v.is_positive or v.is_negative
+            if signed and (pushed or not all(_even(each, v) for each in (L, *rules))):
                 raise RigidtopError(
                     f"{v} is declared to have one sign, and |{v}| is {v} then: "
                     "a velocity has both, declare it real"
@@ -81,14 +96,14 @@ class Derived:
         if times:
             names = replace(names, t=times.pop())
         for name, value in (
-            ("L", L),
+            ("rest", L),
             ("q", tuple(names.back(x) for x in names.q)),
             ("qdot", tuple(names.back(x) for x in names.v)),
             ("forces", acting or (Integer(0),) * len(names.q)),
             ("constraints", rules),
             ("rayleigh", rayleigh),
             ("names", names),
-            ("parts", ()),
+            ("parts", tuple(parts)),
             ("potential", None),
         ):
             object.__setattr__(self, name, value)
@@ -97,9 +112,6 @@ class Derived:
     names: Names = field(init=False, repr=False, compare=False)
     """The plain symbols inside: see `rigidtop.system.names`."""
 
-    parts: tuple[Part, ...] = field(init=False, repr=False, compare=False)
-    """The masses and bodies that it was made of, if it was."""
-
     potential: Expr | None = field(init=False, repr=False, compare=False)
     """V, where it is known apart."""
 
@@ -107,7 +119,8 @@ class Derived:
         n, names = len(self.q), self.names
         if len(self.forces) != n:
             raise RigidtopError(f"{len(self.forces)} forces for {n} coordinates: give one for each")
-        given = {"L": (self.L,), "rayleigh": (self.rayleigh,), "a force": self.forces}
+        inside = tuple(x for part in self.parts for x in part.expressions)
+        given = {"L": (self.rest, *inside), "rayleigh": (self.rayleigh,), "a force": self.forces}
         for what, group in {**given, "a constraint": self.constraints}.items():
             for each in map(names.plain, group):
                 if each.has(*names.a):
@@ -133,6 +146,13 @@ class Derived:
     def __getstate__(self) -> dict[str, Any]:
         """Without what was computed: functions that are made cannot be pickled."""
         return {each.name: getattr(self, each.name) for each in fields(self)}
+
+    @cached_property
+    def L(self) -> Expr:
+        """The Lagrangian."""
+        if not self.parts:
+            return self.rest
+        return self.names.back(kinetic_energy(self.parts, self.names)) + self.rest
 
     # --- in plain symbols, for what computes ------------------------------------------------------
 
@@ -209,32 +229,40 @@ class Derived:
 
     @cached_property
     def program(self) -> StraightLine:
-        """q̈, then the multipliers, as the shortest straight-line program that was found.
+        """q̈, then −λ, as the shortest straight-line program that was found.
 
         Raises RigidtopError where the mass matrix is singular for every motion.
         """
+        try:
+            made = [straight_line(*self._on_graph.solved(), self.free())]
+            if len(self._on_graph.graph.nodes) < SMALL:
+                made += map(self._by_normal_form, NORMAL)
+        except SingularError:
+            raise RigidtopError(self._why_singular(self._balance[0])) from None
+        return min(made, key=lambda each: each.operations) if made[1:] else made[0]
+
+    @cached_property
+    def _on_graph(self) -> Balanced:
+        """M and f on a graph, of which no expression is ever written down."""
+
+        def made(graph: Graph) -> Balanced:
+            return Balance(self, graph).of_parts()
+
+        names = self.names
+        return somewhere((names.t, *names.q, *names.v, *self.given), made)
+
+    def _by_normal_form(self, form: Callable[[Expr, Sequence[Symbol]], Expr]) -> StraightLine:
+        """The program that M and f have in a normal form."""
         mass, force = self._balance
-        raw = [*mass, *force]
-        sizes = [x.count_ops() for x in raw]
-        forms = [
-            [
-                grouped(x, self.names.v) if k < LARGEST else x
-                for x, k in zip(raw, sizes, strict=True)
-            ]
-        ]
-        if sum(sizes) < LARGEST:  # otherwise the first is the shortest by far
-            forms += [raw, [short(x) for x in raw]]
         n = len(force)
+        entries = [form(x, self.names.v) for x in (*mass, *force)]
+        matrix, right = self.with_constraints(Matrix(n, n, entries[: n * n]), entries[n * n :])
+        return solved(matrix, right, self.free())
+
+    def free(self) -> Iterator[Symbol]:
+        """Names for the lines of a program."""
         taken = {x.name for x in self._letters} | {x.name for x in self.multipliers}
-        found: list[StraightLine] = []
-        for entries in forms:
-            free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
-            matrix, right = self.with_constraints(Matrix(n, n, entries[: n * n]), entries[n * n :])
-            try:
-                found.append(solved(matrix, right, free))
-            except SingularError:
-                raise RigidtopError(self._why_singular(mass)) from None
-        return min(found, key=lambda each: each.operations)
+        return (x for x in sympy.numbered_symbols("x") if x.name not in taken)
 
     def with_constraints(self, mass: Matrix, force: list[Expr]) -> tuple[Matrix, list[Expr]]:
         """With a row for each constraint, derived by time until it has accelerations."""
@@ -278,6 +306,8 @@ class Derived:
         names = self.names
         declared = [names.given.get(x, x) for x in names.q]
         signs = [bool(x.is_positive) - bool(x.is_negative) for x in declared]
+        if not any(signs):
+            return ()
         whole = (self.plain, *self.generalised_forces, *self.rules)
         return tuple(
             (k, sign)
@@ -286,15 +316,26 @@ class Derived:
         )
 
     @cached_property
+    def given(self) -> tuple[Expr, ...]:
+        """What L is made of, the forces and the constraints, plain."""
+        inside = (x for part in self.parts for x in part.expressions)
+        made_of = map(self.names.plain, (self.rest, *inside))
+        return (*made_of, *self.generalised_forces, *self.rules)
+
+    @cached_property
     def _letters(self) -> tuple[Symbol, ...]:
-        """All that L, the forces and the constraints have."""
-        group = (self.plain, *self.generalised_forces, *self.rules)
-        return tuple(sorted(set().union(*(x.free_symbols for x in group)), key=str))
+        """All that L, the forces and the constraints may have."""
+        return tuple(sorted(set().union(*(x.free_symbols for x in self.given)), key=str))
 
     @cached_property
     def parameters(self) -> tuple[Symbol, ...]:
         """The symbols that are constant, in the order of their names."""
         moving = {*self.names.q, *self.names.v, self.names.t}
+        if self.parts:  # of which not all enters L
+            acting = (self.names.plain(self.rest), *self.generalised_forces, *self.rules)
+            moving |= {*self._letters}.difference(
+                *(x.free_symbols for x in (*self._on_graph.leaves, *acting))
+            )
         return tuple(x for x in self._letters if x not in moving)
 
     # --- what is derived, in the names that were given --------------------------------------------
@@ -398,7 +439,14 @@ class Derived:
         work = [Q * v for Q, v in zip(self.generalised_forces, self.names.v, strict=True)]
         b = [self.rolling[i, len(self.q)] for i in range(self.rolling.rows)]
         work += [-x * y for x, y in zip(self.multipliers, b, strict=True)]
-        return sympy.expand(sympy.Add(*work, -self.plain.diff(self.names.t)))
+        if any(x.has(self.names.t) for x in self.given):
+            work.append(-self.plain.diff(self.names.t))
+        return sympy.expand(sympy.Add(*work))
+
+    @cached_property
+    def is_conservative(self) -> bool:
+        """Whether the energy is conserved: L does not contain the time, and forces do no work."""
+        return decide.vanishes(self.work_rate)
 
     @cached_property
     def conserved(self) -> dict[str, Expr]:
@@ -411,7 +459,7 @@ class Derived:
     @cached_property
     def constant(self) -> dict[str, Expr]:
         """What is conserved, plain."""
-        found = {"energy": self.jacobi} if decide.vanishes(self.work_rate) else {}
+        found = {"energy": self.jacobi} if self.is_conservative else {}
         for x, p, name in zip(self.q, self.conjugate, self.names.p, strict=True):
             if x in self.cyclic:
                 found[name.name] = p

@@ -68,7 +68,7 @@ class Numeric:
     @cached_property
     def works(self) -> bool:
         """Whether the work of the forces is followed: the energy is not conserved."""
-        return "energy" not in self.system.constant
+        return not self.system.is_conservative
 
     @cached_property
     def timed(self) -> bool:

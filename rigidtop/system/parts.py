@@ -1,6 +1,6 @@
 """What a system is made of: masses and bodies, with their places as functions of coordinates.
 
-From them come T and V, and besides, without any Lagrangian, the equations by Newton and Euler.
+From them come T and V, and besides, without any Lagrangian, the equations: see `balance`.
 """
 
 from __future__ import annotations
@@ -11,11 +11,15 @@ from dataclasses import dataclass
 import sympy
 from sympy import Expr, Integer, Matrix, MatrixBase, Rational
 
+from rigidtop.codegen.graph import Graph, somewhere
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
 from rigidtop.system.names import Given, Names, expression
 from rigidtop.theory.rotation import vee
 from rigidtop.theory.trig import reduce_trig
+
+ROUNDING = 1e-30
+"""How well RᵀR has to be 1."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +38,11 @@ class Mass:
     def __init__(self, mass: Expr, place: Given) -> None:
         object.__setattr__(self, "mass", expression("a mass", mass))
         object.__setattr__(self, "place", _place(place))
+
+    @property
+    def expressions(self) -> tuple[Expr, ...]:
+        """All that it is given."""
+        return (self.mass, *self.place)
 
 
 @dataclass(frozen=True)
@@ -58,7 +67,14 @@ class Body:
         object.__setattr__(self, "place", _place(place))
         if not isinstance(attitude, MatrixBase) or attitude.shape != (3, 3):
             raise RigidtopError("an attitude is a 3×3 matrix with e₁, e₂, e₃ as its columns")
+        if not _is_orthogonal(attitude):
+            raise RigidtopError("the attitude is no rotation: RᵀR is not 1")
         object.__setattr__(self, "attitude", attitude.as_immutable())
+
+    @property
+    def expressions(self) -> tuple[Expr, ...]:
+        """All that it is given."""
+        return (self.mass, *self.moments, *self.place, *self.attitude)
 
 
 Part = Mass | Body
@@ -74,6 +90,21 @@ def _place(given: Given) -> MatrixBase:
     return sympy.ImmutableMatrix([*row, Integer(0)][:3])
 
 
+def _is_orthogonal(matrix: MatrixBase) -> bool:
+    """Whether RᵀR is 1, at a point."""
+
+    def holds(graph: Graph) -> bool:
+        columns = [[graph.expression(x) for x in matrix.col(k)] for k in range(3)]
+        return all(
+            abs(graph.number(graph.total(map(graph.product, zip(a, b, strict=True)))) - (a is b))
+            < ROUNDING
+            for a in columns
+            for b in columns
+        )
+
+    return somewhere(matrix, holds)
+
+
 def velocity(place: MatrixBase, names: Names) -> Matrix:
     """ṙ of a place in plain symbols (3×1)."""
     return names.rate(place, dict(zip(names.q, names.v, strict=True)))
@@ -81,11 +112,7 @@ def velocity(place: MatrixBase, names: Names) -> Matrix:
 
 def spin(attitude: MatrixBase, names: Names) -> Matrix:
     """ω in body components, from RᵀṘ = hat(ω) (3×1)."""
-    turning = reduce_trig(attitude.T * velocity(attitude, names))
-    try:
-        return vee(turning)
-    except ValueError:
-        raise RigidtopError("the attitude is no rotation: RᵀR is not 1") from None
+    return vee(reduce_trig(attitude.T * velocity(attitude, names)))
 
 
 def kinetic_energy(parts: Sequence[Part], names: Names) -> Expr:
@@ -103,32 +130,5 @@ def kinetic_energy(parts: Sequence[Part], names: Names) -> Expr:
 
 def potential_energy(parts: Sequence[Part], gravity: MatrixBase) -> Expr:
     """−Σ m g·r for the `gravity` g (3×1)."""
-    return -sympy.Add(*(part.mass * gravity.dot(part.place) for part in parts))
-
-
-def newton_euler(
-    parts: Sequence[Part], names: Names, forces: Sequence[Expr]
-) -> tuple[Matrix, list[Expr]]:
-    """M and f of M q̈ = f by d'Alembert: Σ (m r̈·∂v/∂q̇ + (λω̇ + ω × λω)·∂ω/∂q̇) = Q.
-
-    In plain symbols; `forces` are all generalised forces, those of the potential too.  Nothing is
-    differentiated by a coordinate that is an energy.
-    """
-    n = len(names.q)
-    mass = sympy.zeros(n, n)
-    force = [*forces]
-    freely = {**names.rates, **dict.fromkeys(names.v, Integer(0))}
-    for part in parts:
-        v = velocity(names.plain(part.place), names)
-        rows = [(v, names.plain(part.mass), Matrix([0, 0, 0]))]
-        if isinstance(part, Body):
-            omega = spin(names.plain(part.attitude), names)
-            moments = sympy.diag(*map(names.plain, part.moments))
-            rows.append((omega, moments, omega.cross(moments * omega)))
-        for moved, inertia, turning in rows:
-            jacobian = moved.jacobian(list(names.v))
-            bias = names.rate(moved, freely)
-            mass += jacobian.T * (inertia * jacobian)
-            pushed = jacobian.T * (inertia * bias + turning)
-            force = [f - x for f, x in zip(force, pushed, strict=True)]
-    return mass, force
+    along = [k for k in range(3) if gravity[k] != 0]
+    return -sympy.Add(*(part.mass * gravity[k] * part.place[k] for part in parts for k in along))

@@ -15,7 +15,7 @@ from rigidtop.parameters import in_one_line
 from rigidtop.system.forms import short
 from rigidtop.system.names import Given, expression
 from rigidtop.system.numeric import Computed
-from rigidtop.system.parts import Body, Mass, Part, kinetic_energy, potential_energy
+from rigidtop.system.parts import Body, Mass, Part, potential_energy
 
 if TYPE_CHECKING:
     from rigidtop.proof.equation import Equation
@@ -89,11 +89,7 @@ class System(Computed):
         V = expression("V", V)
         if gravity is not None:
             V += potential_energy(parts, Mass(1, gravity).place)
-        names = cls(V, q, qdot).names
-        T = kinetic_energy(parts, names)
-        made = cls.of_energies(names.back(T), V, q, qdot, **more)
-        object.__setattr__(made, "parts", parts)
-        return made
+        return cls.of_energies(0, V, q, qdot, parts=parts, **more)
 
     def __repr__(self) -> str:
         names = self.names
@@ -188,12 +184,12 @@ class System(Computed):
         return small(self, about)
 
     def certify(self, parameters: Mapping[Expr, Any], seed: int = 0) -> dict[str, float]:
-        """How far other ways to q̈ are from Lagrange's, at most, at states that are drawn.
+        """How far other ways to q̈ are from the program, at most, at states that are drawn.
 
-        "Hamilton" by H(q, p); "Newton–Euler" by d'Alembert's principle, where the system was made
-        of parts; "balance of energy" is dE/dt less the power of the forces.  Differences are
-        relative; all are rounding where all is well.  Raises RigidtopError where there is no other
-        way.
+        "Hamilton" by H(q, p); "Newton–Euler" by d'Alembert's principle and "Lagrange" by L, where
+        the system was made of parts; "balance of energy" is dE/dt less the power of the forces.
+        Differences are relative; all are rounding where all is well.  Raises RigidtopError where
+        there is no other way.
         """
         from rigidtop.system.certify import certify
 

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import warnings
 from collections.abc import Callable
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 from rows import ROUNDS, Row, Task, Way, measured, missing, table
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
-from rigidtop.system.parts import Mass
+from rigidtop.system.parts import Body, Mass
 from rigidtop.system.system import System
 from rigidtop.theory import top
 
@@ -38,6 +39,27 @@ def pendulums(n: int) -> System:
     return System.of_parts(parts, angles, gravity=[0, -g])
 
 
+def arm() -> System:
+    """Six bodies of which each turns about an axis of the one before, as in a robot's arm.
+
+    By Denavit and Hartenberg: turned about z, moved along z and x, turned about x by a right angle.
+    """
+    angles = dynamicsymbols("q1:7")
+    along = sympy.symbols("d1:7", positive=True)
+    across = sympy.symbols("a1:7", positive=True)
+    behind = sympy.symbols("r1:7", positive=True)
+    twists = [sympy.pi / 2, 0, sympy.pi / 2, -sympy.pi / 2, sympy.pi / 2, 0]
+    place, attitude, parts = sympy.zeros(3, 1), sympy.eye(3), []
+    for k, angle in enumerate(angles):
+        turned = attitude * sympy.rot_axis3(-angle)
+        place = place + turned * sympy.Matrix([across[k], 0, along[k]])
+        attitude = turned * sympy.rot_axis1(-twists[k])
+        centre = place - behind[k] * attitude[:, 2]
+        moments = sympy.symbols(f"A{k} B{k} C{k}", positive=True)
+        parts.append(Body(sympy.Symbol(f"m{k}", positive=True), moments, centre, attitude))
+    return System.of_parts(parts, angles, gravity=[0, 0, -g])
+
+
 def in_euler_angles(L: sympy.Expr) -> System:
     """A body about a pivot, by a Lagrangian of the theory."""
     angles = dynamicsymbols("theta phi psi")
@@ -53,6 +75,14 @@ DERIVED = {
     "a heavy body, three moments, any centre of mass": ("in_euler_angles(top.lagrangian())", False),
 }
 """Systems, and whether SymPy solves them for q̈ in a reasonable time."""
+
+
+LONG = {
+    "12 pendulums in a row": "pendulums(12)",
+    "20 pendulums in a row": "pendulums(20)",
+    "an arm of 6 joints": "arm()",
+}
+"""Systems of which SymPy has no right-hand side in a reasonable time."""
 
 
 def by_sympy(system: System) -> LagrangesMethod:
@@ -83,6 +113,22 @@ def derivation(name: str) -> list[Row]:
         Row(task, "rigidtop.System", ours[0], note=f"{ours[1]:.0f} operations"),
         Row(task, "sympy LagrangesMethod, cse", theirs[0], note=said),
     ]
+
+
+def callable_(name: str) -> Row:
+    """From places and attitudes to a function of numbers."""
+    folder = str(Path(__file__).parent)
+    given = f"import sys; sys.path.insert(0, {folder!r}); from systems import *"
+    statement = f"made = {LONG[name]}.numeric.solved"
+    seconds, count = fresh(given, statement, "made.operations")
+    return Row(f"{name}, to a function", "rigidtop.System", seconds, note=f"{count:.0f} operations")
+
+
+def versions() -> str:
+    """What was measured."""
+    packages = ("rigidtop", "sympy", "mpmath", "numpy", "scipy")
+    told = [f"{package} {version(package)}" for package in packages]
+    return ", ".join([f"Python {sys.version.split()[0]}", *told])
 
 
 def fresh(given: str, statement: str, told: str) -> tuple[float, float]:
@@ -145,7 +191,9 @@ def main(quick: bool) -> None:
     names = [*DERIVED][:1] if quick else [*DERIVED]
     rows = [row for name in names for row in derivation(name)]
     task = Task("10 s of two pendulums, 1,000 samples", two_pendulums, 1000)
+    rows += map(callable_, [] if quick else LONG)
     print(table([*rows, *measured([task], 1 if quick else ROUNDS)]))
+    print(versions())
 
 
 if __name__ == "__main__":

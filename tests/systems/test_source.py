@@ -11,7 +11,7 @@ import pytest
 from sympy import Add, Heaviside, Max, Piecewise, besselj, cos, sin, symbols
 
 import rigidtop as rt
-from rigidtop.codegen.solve import StraightLine
+from rigidtop.codegen.lines import StraightLine
 
 m, length, g, k = symbols("m length g k", positive=True)
 x, y, r, u, v, w = symbols("x y r u v w", real=True)

@@ -104,6 +104,29 @@ def test_accelerations_are_those_of_sympy(known):
         assert [float(x) for x in written] == pytest.approx(theirs, rel=1e-9, abs=1e-9)
 
 
+OPERATIONS = {
+    "bead": 8,
+    "cart_pole": 23,
+    "charge": 7,
+    "double_pendulum": 39,
+    "elastic_pendulum": 19,
+    "foucault": 14,
+    "gyrostat": 33,
+    "heavy_body": 94,
+    "kepler": 11,
+    "kovalevskaya": 39,
+    "rod": 37,
+    "sleigh": 31,
+    "spherical_pendulum": 13,
+}
+"""How long the programs were when they were shortest."""
+
+
+def test_programs_get_no_longer(known):
+    name = known.__name__.removeprefix("known_")
+    assert known.SYSTEM.program.operations <= OPERATIONS[name]
+
+
 def test_no_more_operations_than_sympy(known):
     """Than SymPy's right-hand side, its common subexpressions taken out."""
     method, _ = _sympy(known.SYSTEM)

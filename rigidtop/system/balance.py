@@ -1,0 +1,229 @@
+"""M and f of M q̈ = f on a graph: of masses and bodies by d'Alembert, of a Lagrangian by Lagrange.
+
+Derivatives are forward ones, along coordinates, velocities and time; nothing is multiplied out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from sympy import Expr
+
+from rigidtop.codegen.graph import MINUS, ONE, ZERO, Direction, Graph, Leaf, Value
+from rigidtop.codegen.solve import solutions
+from rigidtop.system.parts import Body, Part
+
+if TYPE_CHECKING:
+    from rigidtop.system.derived import Derived
+
+Column = Sequence[Value]
+"""Values of a vector: its components, or one for each coordinate."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One component of what moves: its rate v with ∂v/∂q̇, its inertia, the force for q̈ = 0."""
+
+    jacobian: Column
+    rate: Value
+    inertia: Value
+    bias: Value
+
+
+@dataclass(frozen=True)
+class Balanced:
+    """M and f of M q̈ = f, with the constraints A q̈ = c."""
+
+    graph: Graph
+    mass: Sequence[Column]
+    force: Column
+    constraints: Sequence[Column]
+    right: Column
+    whole: Value
+    """A sum of all that L is made of: it has the letters of L."""
+
+    def solved(self) -> tuple[Graph, list[Value]]:
+        """The graph; q̈, and the multipliers with the sign that leaves the matrix symmetric: −λ."""
+        lines = [[*line, *(A[i] for A in self.constraints)] for i, line in enumerate(self.mass)]
+        lines += [[*A, *(ZERO for _ in self.constraints)] for A in self.constraints]
+        return self.graph, solutions(self.graph, lines, [*self.force, *self.right])
+
+    @property
+    def leaves(self) -> list[Expr]:
+        """The letters that enter."""
+        values = (self.whole, *self.force, *(x for row in self.mass for x in row))
+        nodes = (self.graph.nodes[k] for k in self.graph.below(values))
+        return [node.expression for node in nodes if isinstance(node, Leaf)]
+
+
+@dataclass(frozen=True)
+class Balance:
+    """The graph of a system, and directions in it."""
+
+    system: Derived
+    graph: Graph
+
+    @cached_property
+    def velocities(self) -> list[Value]:
+        """q̇."""
+        return [self.graph.expression(v) for v in self.system.names.v]
+
+    @cached_property
+    def motion(self) -> Direction:
+        """The direction in which a motion without accelerations goes."""
+        names = self.system.names
+        return Direction({**dict(zip(names.q, self.velocities, strict=True)), names.t: ONE})
+
+    @cached_property
+    def along_places(self) -> list[Direction]:
+        """∂/∂q."""
+        return [Direction({x: ONE}) for x in self.system.names.q]
+
+    @cached_property
+    def along_velocities(self) -> list[Direction]:
+        """∂/∂q̇."""
+        return [Direction({v: ONE}) for v in self.system.names.v]
+
+    def rate(self, value: Value) -> Value:
+        """d/dt, where q̈ = 0."""
+        return self.graph.derivative(value, self.motion)
+
+    def slopes(self, value: Value, directions: Sequence[Direction]) -> list[Value]:
+        """A derivative for each direction."""
+        return [self.graph.derivative(value, each) for each in directions]
+
+    def less(self, value: Value) -> Value:
+        """−x."""
+        return self.graph.product([MINUS, value])
+
+    def products(self, triples: Iterable[tuple[Value, Value, Value]]) -> Value:
+        """Σ abc, by a, then by b: what is in all masses goes out."""
+        graph = self.graph
+        grouped: dict[Value, dict[Value, list[Value]]] = {}
+        for a, b, c in triples:
+            if ZERO not in (a, b, c):
+                grouped.setdefault(a, {}).setdefault(b, []).append(c)
+        return graph.total(
+            graph.product(
+                [a, graph.total(graph.product([b, graph.total(cs)]) for b, cs in inner.items())]
+            )
+            for a, inner in grouped.items()
+        )
+
+    # --- the two ways -----------------------------------------------------------------------------
+
+    def of_parts(self) -> Balanced:
+        """By d'Alembert's principle for the parts, and by Lagrange for the rest of L."""
+        return self.balanced(self.system.names.plain(self.system.rest), self.system.parts)
+
+    def of_lagrangian(self) -> Balanced:
+        """By Lagrange for all of L."""
+        return self.balanced(self.system.plain, ())
+
+    def balanced(self, given: Expr, parts: Sequence[Part]) -> Balanced:
+        """What a Lagrangian gives besides parts.
+
+        (∂²L/∂q̇∂q̇) q̈ = ∂L/∂q + Q − what ∂L/∂q̇ changes by without q̈, and of the parts
+        Σ ((∂v/∂q̇)ᵀ(m v̇) + (∂ω/∂q̇)ᵀ(λω̇ + ω × λω)).
+        """
+        graph, n = self.graph, len(self.velocities)
+        L = graph.expression(given)
+        slopes, momenta = (
+            self.slopes(L, each) for each in (self.along_places, self.along_velocities)
+        )
+        rows = [row for part in parts for row in self.rows(part)]
+
+        def mass(i: int, j: int) -> Value:
+            own = self.products((row.jacobian[i], row.jacobian[j], row.inertia) for row in rows)
+            return graph.total([own, graph.derivative(momenta[i], self.along_velocities[j])])
+
+        # From the last, which moves least: its sums are parts of those before.
+        lower = {(i, j): mass(i, j) for i in reversed(range(n)) for j in range(i + 1)}
+        force = {
+            i: graph.total(
+                [
+                    self.acting[i],
+                    slopes[i],
+                    self.less(self.rate(momenta[i])),
+                    self.less(self.products((row.jacobian[i], ONE, row.bias) for row in rows)),
+                ]
+            )
+            for i in reversed(range(n))
+        }
+        squares = [graph.product([row.inertia, row.rate, row.rate]) for row in rows]
+        return Balanced(
+            graph,
+            [[lower[max(i, j), min(i, j)] for j in range(n)] for i in range(n)],
+            [force[i] for i in range(n)],
+            *self.held(),
+            graph.total([L, *squares]),
+        )
+
+    @cached_property
+    def acting(self) -> list[Value]:
+        """Q − ∂ℱ/∂q̇."""
+        names = self.system.names
+        dissipation = self.graph.expression(names.plain(self.system.rayleigh))
+        lost = self.slopes(dissipation, self.along_velocities)
+        return [
+            self.graph.total([self.graph.expression(names.plain(Q)), self.less(F)])
+            for Q, F in zip(self.system.forces, lost, strict=True)
+        ]
+
+    def held(self) -> tuple[list[list[Value]], list[Value]]:
+        """A and c of A q̈ = c: the constraints, derived by time until they have accelerations."""
+        rows, right = [], []
+        for rule, of_places in zip(self.system.rules, self.system.holonomic, strict=True):
+            value = self.graph.expression(rule)
+            if of_places:
+                value = self.rate(value)
+            rows.append(self.slopes(value, self.along_velocities))
+            right.append(self.less(self.rate(value)))
+        return rows, right
+
+    # --- masses and bodies ------------------------------------------------------------------------
+
+    def rows(self, part: Part) -> Iterator[Row]:
+        """Of the centre of mass, and of the turning about it."""
+        graph, names = self.graph, self.system.names
+        mass = graph.expression(names.plain(part.mass))
+        if mass != ZERO:
+            for x in names.plain(part.place):
+                place = graph.expression(x)
+                rate = self.rate(place)
+                bias = graph.product([mass, self.rate(rate)])
+                yield Row(self.slopes(place, self.along_places), rate, mass, bias)
+        if isinstance(part, Body):
+            yield from self.turning(part)
+
+    def turning(self, body: Body) -> list[Row]:
+        """λω̇ + ω × λω, with ω from RᵀṘ = hat(ω)."""
+        graph, names = self.graph, self.system.names
+        attitude = names.plain(body.attitude)
+        R = [[graph.expression(x) for x in attitude.row(k)] for k in range(3)]
+        moments = [graph.expression(names.plain(x)) for x in body.moments]
+
+        def spin(direction: Direction) -> list[Value]:
+            rates = [[graph.derivative(x, direction) for x in row] for row in R]
+            return [
+                graph.total(graph.product([R[k][i], rates[k][j]]) for k in range(3))
+                for i, j in ((2, 1), (0, 2), (1, 0))
+            ]
+
+        jacobian = list(zip(*map(spin, self.along_places), strict=True))
+        omega = [
+            graph.total([x, *map(graph.product, zip(row, self.velocities, strict=True))])
+            for x, row in zip(spin(Direction({names.t: ONE})), jacobian, strict=True)
+        ]
+        made = []
+        for i, (x, w) in enumerate(zip(moments, omega, strict=True)):
+            j, k = (i + 1) % 3, (i + 2) % 3
+            turned = graph.product(
+                [graph.total([moments[k], self.less(moments[j])]), omega[j], omega[k]]
+            )
+            bias = graph.total([graph.product([x, self.rate(w)]), turned])
+            made.append(Row(jacobian[i], w, x, bias))
+        return made
