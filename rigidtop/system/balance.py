@@ -8,19 +8,38 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from sympy import Expr
 
 from rigidtop.codegen.graph import MINUS, ONE, ZERO, Direction, Graph, Leaf, Value
 from rigidtop.codegen.solve import solutions
+from rigidtop.system.names import Names
 from rigidtop.system.parts import Body, Part
-
-if TYPE_CHECKING:
-    from rigidtop.system.derived import Derived
 
 Column = Sequence[Value]
 """Values of a vector: its components, or one for each coordinate."""
+
+
+class Given(Protocol):
+    """What is known of a system before anything is derived, in its plain symbols inside."""
+
+    @property
+    def names(self) -> Names: ...
+    @property
+    def rest(self) -> Expr: ...
+    @property
+    def parts(self) -> tuple[Part, ...]: ...
+    @property
+    def forces(self) -> tuple[Expr, ...]: ...
+    @property
+    def rayleigh(self) -> Expr: ...
+    @property
+    def plain(self) -> Expr: ...
+    @property
+    def rules(self) -> tuple[Expr, ...]: ...
+    @property
+    def holonomic(self) -> tuple[bool, ...]: ...
 
 
 @dataclass(frozen=True)
@@ -63,7 +82,7 @@ class Balanced:
 class Balance:
     """The graph of a system, and directions in it."""
 
-    system: Derived
+    system: Given
     graph: Graph
 
     @cached_property
