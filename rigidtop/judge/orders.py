@@ -162,10 +162,14 @@ def _settled(
     return (second, True) if holds else (first, False)
 
 
+_STEPS, _PATIENCE = 30, 12
+"""So many steps towards numbers at which equations hold, and so few where it only jumps about."""
+
+
 def _moved(
     equations: Sequence[Expr], worlds: Worlds, points: Array, places: Sequence[int]
 ) -> tuple[Array | None, bool]:
-    for _ in range(30):
+    for step in range(_STEPS):
         at = Program(worlds.letters, points, with_slopes=True).values(equations)
         if not np.isfinite(at.slopes).all():
             return None, False
@@ -180,7 +184,7 @@ def _moved(
             largest = max(
                 largest, float(np.abs(move).max() / (np.abs(points[places, k]).max() + 1e-300))
             )
-        if largest < 1e-13:
+        if largest < 1e-13 or (step > _PATIENCE and largest > 0.3):
             break
     at = Program(worlds.letters, points).values(equations)
     return points, bool((np.abs(at.values) <= 1e-8 * (at.sizes + 1e-12)).all())

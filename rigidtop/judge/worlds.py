@@ -21,7 +21,7 @@ from rigidtop.tree.nodes import Letter
 WORLDS = 4
 """So many worlds are asked."""
 
-_STARTS, _STEPS = 12, 60
+_STARTS, _STEPS, _PATIENCE = 12, 60, 32
 _EXACT = 1e-12
 """An equation holds where its sides differ by no more than this share of its terms."""
 
@@ -73,7 +73,7 @@ class Worlds:
         known = np.isfinite(gap).all(axis=0) & np.isfinite(size).all(axis=0)
         if not known.any():
             return None
-        extent = size[:, known].max(axis=0)
+        extent = size[:, known].max(axis=0, initial=0)  # nothing is compared where all is 0 = 0
         if not trivially and ((extent < _FLOOR) | (extent > _LARGEST)).any():
             return False
         return bool((gap[:, known] <= CLOSE * (size[:, known] + _FLOOR)).all())
@@ -191,6 +191,8 @@ def _solved(
         left = np.flatnonzero(~exact & ~lost)
         late = step > 6 * enough + 1
         if not len(left) or exact.sum() >= (enough if late else 2 * enough):
+            break
+        if step > _PATIENCE and not exact.any():
             break
         at = Program(letters, points[:, left], with_slopes=True).values(equations)
         finite = np.isfinite(at.values).all(axis=0) & np.isfinite(at.slopes).all(axis=(0, 1))
