@@ -233,6 +233,12 @@ def _in_letters_of(each: Statement, read: Read, facts: Sequence[Context]) -> Sta
 # --- The fold ------------------------------------------------------------------------------------
 
 
+def _judged(
+    judge: Judge, each: Statement, at: Situation, contexts: Sequence[Context], limits: _Limits
+) -> list[tuple[Outcome, Context]]:
+    return [in_time(judge, each, at, x, limits.until, limits.a_line) for x in contexts]
+
+
 @dataclass(frozen=True, eq=False)
 class _Answer:
     """What is known behind a line of an answer.
@@ -241,7 +247,7 @@ class _Answer:
     called, which is asked where a line follows from nothing else; `believed` is what would hold
     if the first wrong line were right.  `sound` are the equalities that follow, `chain` the sides
     of the last chain, and `lost` what a right line leaves out; `in_body`: dots on vectors may be
-    rates as they are seen from the body.
+    rates as they are seen from the body.  `moment` is the instant of which the last line speaks.
     """
 
     judge: Judge
@@ -254,6 +260,7 @@ class _Answer:
     lost: tuple[str, ...] = ()
     carried: bool = False
     in_body: bool = False
+    moment: str = ""
 
     @classmethod
     def begun(cls, source: str, task: Task) -> _Answer:
@@ -268,26 +275,17 @@ class _Answer:
         self, each: Statement, at: Situation, limits: _Limits
     ) -> tuple[_Answer, Outcome, int]:
         """What is known behind the next line, what becomes of it, and in which context."""
-
+        each, found = self._tried(each, at, limits)
         quick = Judge(self.judge.memory, patience=Patience(0))
 
         def judged(
-            contexts: Sequence[Context], said: Statement, judge: Judge = quick
+            contexts: Sequence[Context], judge: Judge = quick
         ) -> list[tuple[Outcome, Context]]:
-            return [in_time(judge, said, at, x, limits.until, limits.a_line) for x in contexts]
+            return _judged(judge, each, at, contexts, limits)
 
-        found = judged(self.contexts, each)
-        for other, verdict in (
-            (_with_vector(each, self.contexts), UNDECIDED),
-            (_in_body(each) if self.in_body else None, FALSE),
-        ):
-            if other is not None and all(o.verdict == verdict for o, _ in found):
-                again = judged(self.contexts, other)
-                if verdict == UNDECIDED or any(o.passed for o, _ in again):
-                    each, found = other, again
         place = _best([outcome for outcome, _ in found], self.contexts)
         outcome = found[place][0]
-        [(named, names)] = judged([self.names], each)
+        [(named, names)] = judged([self.names])
         if named.passed and not outcome.passed and _is_of_numbers(each):
             outcome, place = named, 0
         nearly = bool({*each.relations} & {*NEARLY})
@@ -296,11 +294,13 @@ class _Answer:
         if "≠" in each.relations:
             outcome = next((o for o, _ in found if o.verdict == FALSE), outcome)
         if outcome.verdict == FALSE and not outcome.slip and not self.believed:
-            searched = judged(self.contexts, each, self.judge)
+            searched = judged(self.contexts, self.judge)
             outcome = next((o for o, _ in searched if o.slip), outcome)
+        if outcome.verdict == FALSE and self._holds_then(each, at, limits):
+            outcome = Outcome(UNDECIDED, "it holds at the moment of which the line before speaks")
         believed, carried = self.believed, False
         if believed:
-            in_error = judged(believed, each)
+            in_error = judged(believed)
             believed = tuple(context for _, context in in_error)
             carried = outcome.verdict == FALSE and any(o.passed for o, _ in in_error)
         elif outcome.verdict == FALSE:
@@ -320,8 +320,40 @@ class _Answer:
             chain=chain,
             lost=tuple(dict.fromkeys((*self.lost, *lost))),
             carried=carried,
+            moment=at.instant or (self.moment if outcome.verdict == UNDECIDED else ""),
         )
         return made, outcome, place
+
+    def _tried(
+        self, each: Statement, at: Situation, limits: _Limits
+    ) -> tuple[Statement, list[tuple[Outcome, Context]]]:
+        """A line as it is written, or as it may be meant where it fails so; with its outcomes."""
+        quick = Judge(self.judge.memory, patience=Patience(0))
+        found = _judged(quick, each, at, self.contexts, limits)
+        for other, verdict in self._otherwise(each):
+            if any(outcome.verdict != verdict for outcome, _ in found):
+                continue
+            again = _judged(quick, other, at, self.contexts, limits)
+            if verdict == UNDECIDED or any(outcome.passed for outcome, _ in again):
+                each, found = other, again
+        return each, found
+
+    def _holds_then(self, each: Statement, at: Situation, limits: _Limits) -> bool:
+        """Whether it is right at the moment, if there is one, of which the line before speaks."""
+        if not self.moment or at.instant:
+            return False
+        quick = Judge(self.judge.memory, patience=Patience(0))
+        then = replace(at, instant=self.moment)
+        return any(o.passed for o, _ in _judged(quick, each, then, self.contexts, limits))
+
+    def _otherwise(self, each: Statement) -> Iterator[tuple[Statement, str]]:
+        """How a line may be meant too, with the verdict on it as it is written."""
+        with_vector = _with_vector(each, self.contexts)
+        if with_vector is not None:
+            yield with_vector, UNDECIDED
+        in_body = _in_body(each) if self.in_body else None
+        if in_body is not None:
+            yield in_body, FALSE
 
     def _lost(self, each: Statement) -> list[str]:
         """What a line that follows leaves out that the facts allow, unless that is excluded."""

@@ -155,3 +155,13 @@ def test_another_axis_is_none_where_the_facts_tell_them_apart():
 def test_what_is_concluded_in_a_display_is_not_supposed():
     source = "Suppose it is free, so\n$$\\omega_1=0$$"
     assert mark(source, task("3.36", "principal-stays")).first_wrong.line == 2
+
+
+def test_what_holds_at_the_moment_that_was_named_is_not_called_wrong_and_shows_nothing():
+    source = "Let $\\omega_1=\\omega_2=0$ at $t=0$. Then\n"
+    source += r"$$(\lambda_2-\lambda_3)\omega_2\omega_3={}$$"
+    ends = task("3.36", "principal-stays")
+    right = mark(source.replace("{}", "0"), ends)
+    assert (right.first_wrong, right.passed) == (None, False)
+    assert "the moment of which the line before speaks" in right.lines[-1].note
+    assert mark(source.replace("{}", r"\lambda_3"), ends).first_wrong.line == 2
