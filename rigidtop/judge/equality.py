@@ -50,12 +50,14 @@ def _numbers(question: Question) -> Judgement:
     """The outcome where both sides are numbers."""
     sides, meant = (question.left, question.right), question.meant
     others = [side for side in sides if side != ZERO]
-    rates = (any(isinstance(x, n.Rate) for x in n.walked(side)) for side in others)
-    if all(x == 0 for pair in meant for x in pair) and all(rates):
+    rates = [any(isinstance(x, n.Rate) for x in n.walked(side)) for side in others]
+    if others and all(rates) and all(x == 0 for pair in meant for x in pair):
         # Rates vanish only as no letter of theirs moves.
-        if len(others) < len(sides):
+        if len(others) == len(sides):
+            return Outcome(UNDECIDED, "nothing in it moves"), question.context
+        known = question.context.definitions.keys() | question.context.given
+        if not any(own_letters(side) & known for side in others):
             return Outcome(PREMISE, "a constant"), question.context
-        return Outcome(UNDECIDED, "nothing in it moves"), question.context
     outcome = compared(*sides, meant, question.rests_on_meaning)
     return definitions.number_again(question) or (outcome, question.context)
 

@@ -33,6 +33,7 @@ from rigidtop.proof.moves import (
     domain,
     flat_with,
     give,
+    joined,
     never_vanishes,
     nonzero,
     pairs_of,
@@ -106,7 +107,7 @@ def judge_line(line: Line, letters: Letters, above: Iterable[Known] = ()) -> Jud
         scope = _holds(line, line.scope, letters)
         order = Order(NEGLECTED, 1) if nearly else None
         known = replace(bare, scope=scope, order=order, tied=_ties(line, letters))
-        return Judged(line, replace(known, conditions=_domain(line, (), letters)))
+        return Judged(line, replace(known, conditions=joined(_domain(line, (), letters))))
     if line.move.verb == "call":
         try:
             letter = define(line, letters)
@@ -115,7 +116,9 @@ def judge_line(line: Line, letters: Letters, above: Iterable[Known] = ()) -> Jud
             conditions = tuple(c for known in line.move.using for c in known.conditions)
             conditions += _domain(line, conditions, letters)
             tied = _ties(line, letters).union(*(known.tied for known in line.move.using))
-            known = replace(bare, scope=scope, conditions=conditions, defines=letter, tied=tied)
+            known = replace(
+                bare, scope=scope, conditions=joined(conditions), defines=letter, tied=tied
+            )
             return Judged(line, known)
         except RefusedError as problem:
             return Judged(line, bare, problem)
@@ -135,7 +138,7 @@ def judge_line(line: Line, letters: Letters, above: Iterable[Known] = ()) -> Jud
     known = replace(
         bare,
         scope=scope,
-        conditions=performed.conditions,
+        conditions=joined(performed.conditions),
         order=performed.order,
         tied=performed.tied | _ties(line, letters),
     )

@@ -5,7 +5,7 @@ in the equations that are cited, it does not use.  What can't be done raises `Re
 the reason in words.
 """
 
-from rigidtop.proof.moves.conditions import domain, flat_with, never_vanishes, nonzero
+from rigidtop.proof.moves.conditions import domain, flat_with, joined, never_vanishes, nonzero
 from rigidtop.proof.moves.move import (
     Condition,
     Known,
@@ -41,6 +41,7 @@ __all__ = [
     "domain",
     "flat_with",
     "give",
+    "joined",
     "named_components",
     "never_vanishes",
     "nonzero",

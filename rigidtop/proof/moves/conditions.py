@@ -71,6 +71,20 @@ def _unless_known(
     return () if is_known else (Condition(value, relation),)
 
 
+def joined(conditions: Sequence[Condition]) -> tuple[Condition, ...]:
+    """Conditions with x > 0 in place of x ≥ 0 and x ≠ 0, or −x ≠ 0."""
+    apart = {c.expression: c for c in conditions if c.relation == "≠"}
+    bounds = {c.expression for c in conditions if c.relation == "≥"}
+    made = []
+    for each in conditions:
+        zero = apart.get(each.expression) or apart.get(-each.expression)
+        if each.relation == "≥" and zero is not None:
+            made.append(Condition(each.expression, ">", zero.lost))
+        elif each.relation != "≠" or not bounds & {each.expression, -each.expression}:
+            made.append(each)
+    return tuple(dict.fromkeys(made))
+
+
 def _outside_sums(node: Expr) -> Iterator[Expr]:
     """The parts of a printed tree but for those under a sum or an integral."""
     if not isinstance(node, (SumOver, VolumeIntegral, IntegralOver)):
