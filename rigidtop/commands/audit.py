@@ -239,7 +239,7 @@ def _of_claims(source: str, audited: Sequence[Audited], macros: Macros) -> Itera
             verdict=each.verdict,
             passed=each.passed,
             note=each.note,
-            formulas=tuple(_shown(source, formula, macros, display=True) for formula in formulas),
+            formulas=tuple(_framed(source, formula, macros) for formula in formulas),
         )
 
 
@@ -252,7 +252,7 @@ def _wrong(source: str, findings: Sequence[Finding], macros: Macros) -> Iterator
         wrong = [x for x in findings if x.is_wrong and x.formula == formula.start]
         if wrong:
             first = wrong[0]
-            drawn = _shown(source, formula, macros, display=True)
+            drawn = _framed(source, formula, macros)
             yield Mark(
                 start=drawn.start,
                 end=formula.end,
@@ -282,7 +282,7 @@ def _others(source: str, marks: Sequence[Mark], macros: Macros) -> list[Shown]:
 
     spans = [(mark.start, mark.end) for mark in marks]
     return [
-        _shown(source, each, macros, each.display)
+        _shown(source, each, macros, each.text, each.display)
         for each in formulas(source)
         if not any(start <= each.start < end for start, end in spans)
     ]
@@ -295,11 +295,17 @@ def _opening(source: str, formula: Formula) -> int:
     return first + opening.start() if opening else formula.start
 
 
-def _shown(source: str, formula: Formula, macros: Macros, display: bool) -> Shown:
+def _framed(source: str, formula: Formula, macros: Macros) -> Shown:
+    """A formula with a verdict, in a frame of its own; its number stands beside it there."""
+    from rigidtop.read.left import TAG
+
+    return _shown(source, formula, macros, re.sub(TAG, "", formula.text), display=True)
+
+
+def _shown(source: str, formula: Formula, macros: Macros, text: str, display: bool) -> Shown:
     """A formula of the text, sign by sign as it is written."""
     from rigidtop.report.annotated import Formula as Shown
     from rigidtop.report.transcript import transcript
 
-    text = formula.text.strip()
-    signs = transcript(text, macros, display)
-    return Shown(_opening(source, formula), formula.end, text, display, signs)
+    signs = transcript(text.strip(), macros, display)
+    return Shown(_opening(source, formula), formula.end, text.strip(), display, signs)

@@ -55,5 +55,5 @@ def _laws(lecture: Lecture, ids: Collection[str]) -> list[str]:
 
 def _all_of(answers: Iterable[bool | None]) -> bool | None:
     """False if one is, else None if one is."""
-    found = {*answers}
-    return False if False in found else None if None in found or not found else True
+    every = {*answers}
+    return False if False in every else None if None in every or not every else True

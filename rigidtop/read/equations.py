@@ -218,11 +218,6 @@ def kind(node: Any) -> str:
 # --- Expressions ---------------------------------------------------------------------------------
 
 
-def expression(node: n.Node, notation: Notation) -> Any:
-    """What a node is in SymPy, as it is written.  Raises UnknownError."""
-    return _Meaning(notation).of(node)
-
-
 @dataclass(frozen=True)
 class _Meaning:
     """What nodes are in the letters of one notation."""
@@ -246,13 +241,20 @@ class _Meaning:
             return None
         sub = node.sub.replace("-", "−").replace(" ", "")
         glyph = Glyph(node.base, sub, accent or mark, node.bold, bool(primes))
-        found = self.notation.symbol(glyph)
-        if found is None and node.base in _VARIANTS:
+        symbol = self.notation.symbol(glyph)
+        if symbol is None and node.base in _VARIANTS:
             return self.symbol(replace(node, base=_VARIANTS[node.base]), accent, primes)
-        if found is None and mark == "hat":  # a unit vector with a hat that it does not need
+        if symbol is None and mark == "hat":  # a unit vector with a hat that it does not need
             bare = self.notation.symbol(replace(glyph, accent="", bold=True))
-            found = bare if bare in VOCABULARY and VOCABULARY[bare].unit == "" else None
-        return found
+            symbol = bare if bare in VOCABULARY and VOCABULARY[bare].unit == "" else None
+        return symbol
+
+    def known(self, node: n.Letter, primes: int = 0) -> Symbol:
+        """The same, but raises UnknownError where there is none."""
+        symbol = self.symbol(node, primes=primes)
+        if symbol is None:
+            raise UnknownError(f"no symbol {plain(node)}{'′' * primes} in this notation")
+        return symbol
 
 
 _VARIANTS = {"ϑ": "θ", "ϕ": "φ", "ϵ": "ε", "ϱ": "ρ", "ϖ": "π", "ς": "σ"}
@@ -262,17 +264,14 @@ _VARIANTS = {"ϑ": "θ", "ϕ": "φ", "ϵ": "ε", "ϱ": "ρ", "ϖ": "π", "ς": "
 def _letter(meaning: _Meaning, node: n.Letter) -> Any:
     if node == n.Letter("π"):
         return sympy.pi
-    found = meaning.symbol(node)
-    if found is None:
-        raise UnknownError(f"no symbol {plain(node)} in this notation")
-    return s.A_matrix if found == s.A and meaning.matrices else found
+    symbol = meaning.known(node)
+    return s.A_matrix if symbol == s.A and meaning.matrices else symbol
 
 
 def _primed(meaning: _Meaning, node: n.Primed) -> Any:
-    found = meaning.symbol(node.of, primes=node.order) if isinstance(node.of, n.Letter) else None
-    if found is None:
-        raise UnknownError(f"no symbol {plain(node)} in this notation")
-    return found
+    if not isinstance(node.of, n.Letter):
+        raise UnknownError(f"{plain(node)}: a prime belongs to a letter")
+    return meaning.known(node.of, node.order)
 
 
 _DOTS = {1: "dot", 2: "ddot"}
@@ -362,7 +361,7 @@ def _power(meaning: _Meaning, node: n.Power) -> Any:
         if square is not None and meaning.symbol(node.base) is None:
             return square  # σ² alone has a name, and may be negative
     if node.base == n.Letter("e") and meaning.symbol(node.base) is None:
-        return sympy.exp(meaning.of(node.exponent), evaluate=False)
+        return _apply(meaning, n.Apply("exp", node.exponent))
     base, exponent = meaning.of(node.base), meaning.of(node.exponent)
     if kind(base) == "vector" and exponent == 2:
         return eq.Dot(base, base)
@@ -373,6 +372,13 @@ def _power(meaning: _Meaning, node: n.Power) -> Any:
     if base == 0 and (exponent == 0 or isinstance(exponent, Mul)):
         raise UnknownError("a power of 0 that has no value")
     return Pow(base, exponent, evaluate=False)
+
+
+def _root(meaning: _Meaning, node: n.Root) -> Any:
+    of = meaning.of(node.of)
+    if kind(of) != "scalar":
+        raise UnknownError(f"the root of a {kind(of)}")
+    return Pow(of, Rational(1, node.degree), evaluate=False)
 
 
 def _apply(meaning: _Meaning, node: n.Apply) -> Any:
@@ -387,6 +393,8 @@ def _apply(meaning: _Meaning, node: n.Apply) -> Any:
         raise UnknownError(f"the function {node.name} is not known")
     if kind(inside) != "scalar":
         raise UnknownError(f"{node.name} of a {kind(inside)}")
+    if inside == 0 and node.name in ("ln", "log"):
+        raise UnknownError("the logarithm of 0")
     return _FUNCTIONS[node.name](inside, evaluate=False)
 
 
@@ -419,7 +427,10 @@ def _call(meaning: _Meaning, node: n.Call) -> Any:
     function = node.function
     places = tuple(meaning.of(n.ungrouped(x)) for x in node.places)
     if isinstance(function, n.Letter) and function.base in _ELLIPTIC and not function.sub:
-        return _ELLIPTIC[function.base](*places, evaluate=False)
+        elliptic = _ELLIPTIC[function.base]
+        if len(places) not in elliptic.nargs or any(kind(x) != "scalar" for x in places):
+            raise UnknownError(f"{plain(node)}: K is of a parameter, F of an angle and a parameter")
+        return elliptic(*places, evaluate=False)
     if places not in ((s.t,), (s.r_vec,)):
         raise UnknownError(f"{plain(node)}: the value at one place")
     return meaning.of(function)
@@ -537,7 +548,7 @@ _HANDLERS: dict[type, Callable[[_Meaning, Any], Any]] = {
     n.Negative: lambda m, x: _times(Integer(-1), m.of(x.of)),
     n.Group: _group,
     n.Power: _power,
-    n.Root: lambda m, x: Pow(m.of(x.of), Rational(1, x.degree), evaluate=False),
+    n.Root: _root,
     n.Apply: _apply,
     n.Call: _call,
     n.Derivative: _derivative,

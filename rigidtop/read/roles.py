@@ -62,12 +62,11 @@ def roles(
             return OPEN
         return "a number that changes in time" if letter in moving else "a number"
 
-    found = sorted(letters - NUMBERS, key=lambda letter: (plain(letter), letter.bold))
-    made: dict[str, str] = {}
-    for letter in found:
-        shown = plain(letter)
-        made[shown] = f"{made[shown]}, and {role(letter)}" if shown in made else role(letter)
-    return made
+    told: dict[str, str] = {}
+    for letter in sorted(letters - NUMBERS, key=lambda letter: (plain(letter), letter.bold)):
+        name = plain(letter)
+        told[name] = f"{told[name]}, and {role(letter)}" if name in told else role(letter)
+    return told
 
 
 def words(declared: Iterable[Declared]) -> dict[Letter, str]:

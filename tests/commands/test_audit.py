@@ -453,3 +453,9 @@ def test_a_file_that_is_taken_in_and_is_not_there_is_told(tmp_path, capsys):
     assert told[1]["note"] == "\\input{gone} is not read: there is no such file in the folder"
     assert main(["read", str(file)]) == 0
     assert "unread: \\input{gone} is not read" in capsys.readouterr().out
+
+
+def test_the_number_of_a_framed_formula_stands_beside_it_alone(file, tmp_path):
+    name = file("$$\\mathbf{r}' = O^T\\mathbf{r} \\tag{3.46}$$\n")
+    _, source = annotated(name, tmp_path)
+    assert re.sub(r"<[^>]+>", "", source[source.index('class="notes"') :]).count("(3.46)") == 1

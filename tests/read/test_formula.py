@@ -394,6 +394,11 @@ UNREAD = {
     r"a = b \text{ if $b = M$}": "words inside a formula",
     "E = T + \x00": "control character (U+0000)",
     r"E = \sin(a, b)": "sin of a vector",
+    r"\mathbf L = \sqrt{\mathbf N}": "the root of a vector",
+    r"E = e^{\mathbf L}": "exp of a vector",
+    r"E = \ln 0": "the logarithm of 0",
+    r"E = F(\chi)": "F of an angle and a parameter",
+    r"E = K(m, \chi)": "K is of a parameter",
 }
 
 
