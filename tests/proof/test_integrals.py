@@ -18,36 +18,22 @@ from rigidtop.typeset.layout import layout
 from rigidtop.typeset.mathml import mathml
 from rigidtop.typeset.text import text
 
+from .pages import markdown
+
 LAWS = r"""
 # Laws
-
-Along the motion, the swing:
-
-$$\dot\chi = \omega_0\sqrt{1 - m\sin^2\chi}$$
-
-Along the motion, the fall:
-
-$$\dot\chi = -\omega_0(1 + \chi^2)$$
-
-Along the motion, the drift:
-
-$$\dot\chi = \omega_1\sin\chi$$
-
-Definition. The height:
-
-$$h = 3r$$
-
-The volume over π:
-
-$$r^3 = \int_0^h dr_3\,\frac{r_3^2}9$$
-
+Along the motion, the swing => \dot\chi = \omega_0\sqrt{1 - m\sin^2\chi}
+Along the motion, the fall => \dot\chi = -\omega_0(1 + \chi^2)
+Along the motion, the drift => \dot\chi = \omega_1\sin\chi
+Definition. The height => h = 3r
+The volume over π => r^3 = \int_0^h dr_3\,\frac{r_3^2}9
 # The page
 """
 
 
 def last(page: str) -> str:
     """What is wrong with the last line of a page; nothing where it follows."""
-    lecture = read_lecture([("page", LAWS + page)], LETTERS, NOTES)
+    lecture = read_lecture([("page", markdown(LAWS + page))], LETTERS, NOTES)
     assert not list(lecture.unread())
     *_, id = lecture.lines
     return str(lecture.judged(id).problem or "")
@@ -89,25 +75,21 @@ def last(page: str) -> str:
 def test_the_time_from_one_value_to_another(move: str, display: str, problem: str) -> None:
     right = display.replace("K(m)", r"\operatorname{K}(m)")
     right = right.replace("F/", r"\operatorname{F}(\theta_0, m)/")
-    found = last(f"\n{move}:\n\n$$t = {right}$$\n")
+    found = last(f"{move} => t = {right}")
     assert problem in found if problem else found == ""
 
 
 def test_what_is_reached_at_a_moment_has_no_rate() -> None:
     page = r"""
-Integrate the swing from $\chi = 0$ to $\chi = \tfrac\pi2$:
-
-$$t = \frac{\operatorname{K}(m)}{\omega_0}$$
-
-Take the rate of it:
-
-$$1 = 0$$
+Integrate the swing from $\chi = 0$ to $\chi = \tfrac\pi2$ =>
+  t = \frac{\operatorname{K}(m)}{\omega_0}
+Take the rate of it => 1 = 0
 """
     assert "at a moment: its rate does not follow" in last(page)
 
 
 def test_an_integral_is_carried_out_where_a_line_is_rewritten() -> None:
-    page = "\nRewrite the volume over π:\n\n$$r^3 = \\frac{h^3}{%s}$$\n"
+    page = r"Rewrite the volume over π => r^3 = \frac{h^3}{%s}"
     assert last(page % "27") == ""
     assert "does not arrive" in last(page % "9")
 
@@ -182,12 +164,12 @@ def test_what_is_no_integral_is_not_read(tex: str, problem: str) -> None:
 
 
 def test_units_are_those_of_variable_and_body() -> None:
-    assert last("\nRewrite the height:\n\n$$h = 3r$$\n") == ""
-    page = "\nRewrite the volume over π:\n\n$$\\int_0^h dr_3\\,r_3 = r^3$$\n"
+    assert last("Rewrite the height => h = 3r") == ""
+    page = r"Rewrite the volume over π => \int_0^h dr_3\,r_3 = r^3"
     assert "the units disagree" in last(page)
 
 
 def test_equations_are_multiplied_side_by_side() -> None:
-    page = "\nMultiply the height by the height:\n\n$$h^2 = %s r^2$$\n"
+    page = "Multiply the height by the height => h^2 = %s r^2"
     assert last(page % "9") == ""
     assert last(page % "3") != ""

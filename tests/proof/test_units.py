@@ -35,11 +35,12 @@ from rigidtop.proof.page import Check
 from rigidtop.proof.units import UnitsError, check, defining, dimension, named, parsed
 from rigidtop.proof.values import Applied
 from rigidtop.proof.verdict import led
-from rigidtop.read.page import read_lecture
 from rigidtop.report.ways import gap
 from rigidtop.starter import letters as starter
 from rigidtop.theory import symbols as s
 from rigidtop.typeset.text import text
+
+from .pages import lecture as lecture_of
 
 LECTURE = lecture()
 THING = Symbol("thing")
@@ -263,64 +264,48 @@ def test_a_side_times_a_length_has_other_units(equation: Equation) -> None:
 
 LAWS = r"""
 # Laws
-
-The potential:
-
-$$V = MgR\cos\theta$$
-
-The balance:
-
-$$\lambda_1\ddot\theta = MgR\sin\theta$$
+The potential => V = MgR\cos\theta
+The balance => \lambda_1\ddot\theta = MgR\sin\theta
 """
 
 
 def judged(page: str, laws: str = LAWS, letters: Letters = LETTERS):
     """The lines of a page below the laws, each with what became of it."""
-    read = read_lecture([("laws", laws), ("page", page)], letters, NOTES)
+    read = lecture_of(laws, page, letters)
     assert not list(read.unread())
     return [read.judged(line.id) for line in read.texts[1].lines]
 
 
 def test_units_come_before_anything_else() -> None:
     """The line follows from nothing that it cites either; it is not even tried."""
-    [line] = judged("Put the potential into the balance:\n\n$$\\lambda_1\\dot\\theta = V$$\n")
+    [line] = judged(r"Put the potential into the balance => \lambda_1\dot\theta = V")
     assert not line.follows
     message = "page.md, line 1: the units disagree: λ₁θ̇ is in J s, V is in J"
     assert gap(line, LETTERS) == message
 
 
 def test_a_line_that_follows_keeps_its_units() -> None:
-    [line] = judged(
-        "Multiply the balance by $R$:\n\n$$\\lambda_1\\ddot\\theta R = MgR^2\\sin\\theta$$\n"
-    )
+    [line] = judged(r"Multiply the balance by $R$ => \lambda_1\ddot\theta R = MgR^2\sin\theta")
     assert line.follows
 
 
 def test_what_is_set_has_units_too() -> None:
-    page = "Set $\\theta = M$ in the balance:\n\n$$\\lambda_1\\ddot\\theta = MgR\\sin\\theta$$\n"
+    page = r"Set $\theta = M$ in the balance => \lambda_1\ddot\theta = MgR\sin\theta"
     [line] = judged(page)
     assert gap(line, LETTERS).endswith("the units disagree: θ is a pure number, M is in kg")
 
 
 def test_a_definition_has_the_unit_of_its_letter() -> None:
-    [line] = judged("Call the discriminant:\n\n$$D = \\lambda_3\\omega_3$$\n")
+    [line] = judged(r"Call the discriminant => D = \lambda_3\omega_3")
     assert gap(line, LETTERS).endswith("the units disagree: D is in J² s², λ₃ω₃ is in J s")
 
 
 def test_a_definition_gives_later_lines_a_unit() -> None:
     unknown = replace(LETTERS, units={x: u for x, u in LETTERS.units.items() if x != s.A})
     page = r"""
-Call the weight:
-
-$$A = Mg$$
-
-Multiply it by $R$:
-
-$$AR = MgR$$
-
-Rearrange it:
-
-$$A = MgR$$
+Call the weight => A = Mg
+Multiply it by $R$ => AR = MgR
+Rearrange it => A = MgR
 """
     *before, last = judged(page, letters=unknown)
     assert all(line.follows for line in before)
@@ -329,23 +314,19 @@ $$A = MgR$$
 
 def test_a_law_has_units_and_what_rests_on_it_does_not_pass() -> None:
     laws = LAWS.replace("MgR\\sin", "Mg\\sin")
-    page = r"""
-Divide the balance by $\lambda_1$:
-
-$$\ddot\theta = Mg\sin\theta/\lambda_1 \tag{1}$$
-"""
-    read = read_lecture([("laws", laws), ("page", page)], LETTERS, NOTES)
+    page = r"Divide the balance by $\lambda_1$ => \ddot\theta = Mg\sin\theta/\lambda_1 \tag{1}"
+    read = lecture_of(laws, page)
     law, line = led(read, "1").gaps
     assert law.line.file == "laws.md"
     assert gap(law, LETTERS) == (
-        "laws.md, line 8: the units disagree: λ₁θ̈ is in J, Mg sin θ is in N"
+        "laws.md, line 7: the units disagree: λ₁θ̈ is in J, Mg sin θ is in N"
     )
     assert "Mg sin θ/λ₁ is in" in gap(line, LETTERS)
 
 
 def test_letters_without_units_take_numbers() -> None:
     """A page that sets masses and lengths to 1 for short."""
-    page = "Set $M = 1$ and $R = 1$ in the potential:\n\n$$V = g\\cos\\theta$$\n"
+    page = r"Set $M = 1$ and $R = 1$ in the potential => V = g\cos\theta"
     assert all(line.follows for line in judged(page, letters=replace(LETTERS, units={})))
     assert not any(line.follows for line in judged(page))
 
