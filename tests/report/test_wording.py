@@ -12,8 +12,9 @@ from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.figures.catalog import named as figure
 from rigidtop.notation import BUILT_IN, named
+from rigidtop.report import plain
 from rigidtop.report.claims import claim_blocks
-from rigidtop.report.lecture import exercise_fragment, fragment, picture, solution_in
+from rigidtop.report.lecture import picture, solution_in
 from rigidtop.report.solutions import blocks, solved
 from rigidtop.report.symbols import symbols_used
 from rigidtop.report.wording import Wording
@@ -56,36 +57,6 @@ def ambiguous(found):
     return {at: olds for at, olds in roles.items() if len(olds) > 1}
 
 
-@pytest.fixture(scope="module")
-def solutions(judgements):
-    """Without their derivations, which have letters of their own."""
-    return [solved(exercise, judged=judgements) for exercise in EXERCISES]
-
-
-@pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
-def test_no_claim_has_a_letter_for_two_things(judgements, notation, monkeypatch):
-    for judgement in judgements.values():
-        found = origins(monkeypatch, notation)
-        made = Wording(notation).judgement(judgement)
-        of_symbols(found, symbols_used(claim_blocks(made)))
-        assert ambiguous(found) == {}, judgement.claim.name
-        monkeypatch.undo()
-
-
-@pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
-def test_no_exercise_has_a_letter_for_two_things(solutions, notation, monkeypatch):
-    for each in solutions:
-        found = origins(monkeypatch, notation)
-        solution = solution_in(notation, each)
-        drawn = picture(solution, notation)
-        if drawn is not None:
-            drawn.described(1)
-        of_symbols(found, symbols_used(blocks(solution, notation=notation)))
-        assert found
-        assert ambiguous(found) == {}, solution.exercise.name
-        monkeypatch.undo()
-
-
 def gone(notation):
     """Letters of the notes that the notation has for nothing; MgR where it has another R."""
     printed = {letter(glyph) for glyph in notation.glyphs.values()}
@@ -93,14 +64,47 @@ def gone(notation):
     return {x for x in olds if not x.isascii()} | ({"MgR"} if "R" in olds else set())
 
 
+def of_the_notes_alone(shown, notation):
+    """What is shown in letters that the notation does not have."""
+    words = re.sub("MgR[₁₂₃]|ω_n²?", "", plain.fragment(shown))  # the tables have no other
+    return {old for old in gone(notation) if old in words}
+
+
+@pytest.fixture(scope="module")
+def solutions(judgements):
+    """Without their derivations, which have letters of their own."""
+    return [solved(exercise, judged=judgements) for exercise in EXERCISES]
+
+
 @pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
-def test_what_the_notes_alone_write_is_nowhere_else(judgements, solutions, notation):
-    made = [exercise_fragment(each, notation) for each in solutions]
-    made += [fragment(each, "text", notation) for each in judgements.values()]
-    for text in made:
-        words = re.sub(r"\nNotation: .*?\n\n", "\n", text, count=1, flags=re.DOTALL)
-        words = re.sub("MgR[₁₂₃]|ω_n²?", "", words)  # of these the tables have no other
-        assert not {old for old in gone(notation) if old in words}, words[:60]
+def test_no_claim_has_a_letter_for_two_things_or_of_the_notes_alone(
+    judgements, notation, monkeypatch
+):
+    for judgement in judgements.values():
+        found = origins(monkeypatch, notation)
+        made = claim_blocks(Wording(notation).judgement(judgement))
+        of_symbols(found, symbols_used(made))
+        assert ambiguous(found) == {}, judgement.claim.name
+        monkeypatch.undo()
+        assert of_the_notes_alone(made, notation) == set(), judgement.claim.name
+
+
+@pytest.mark.parametrize("notation", NOTATIONS, ids=lambda notation: notation.name)
+def test_no_exercise_has_a_letter_for_two_things_or_of_the_notes_alone(
+    solutions, notation, monkeypatch
+):
+    for each in solutions:
+        found = origins(monkeypatch, notation)
+        solution = solution_in(notation, each)
+        drawn = picture(solution, notation)
+        if drawn is not None:
+            drawn.described(1)
+        made = blocks(solution, notation=notation)
+        of_symbols(found, symbols_used(made))
+        assert found
+        assert ambiguous(found) == {}, solution.exercise.name
+        monkeypatch.undo()
+        assert of_the_notes_alone(made, notation) == set(), solution.exercise.name
 
 
 @pytest.mark.parametrize("figure", FIGURES, ids=lambda figure: figure.name)
