@@ -4,7 +4,6 @@ import sys
 from xml.etree import ElementTree
 
 import matplotlib
-import numpy as np
 import pytest
 
 from rigidtop.errors import RigidtopError
@@ -104,10 +103,11 @@ def cheap(monkeypatch):
 def test_what_is_legal_is_drawn_or_refused_in_one_line(drawing, cheap):
     refused = []
     for parameter in drawing.parameters:
-        far = [50 * parameter.default, parameter.default / 50, parameter.least, parameter.most]
+        far = (
+            max(parameter.least, parameter.default / 50),
+            min(parameter.most, 50 * parameter.default),
+        )
         for value in far:
-            if not parameter.least <= value <= parameter.most or not np.isfinite(value):
-                continue
             given = drawing.values({parameter.name: value})
             try:
                 assert content(drawing, given)

@@ -107,7 +107,7 @@ def test_the_bound_on_the_angle_is_never_crossed():
     drawing = named("parallel")
     draws = np.random.default_rng(7)
     near = []
-    for _ in range(30):
+    for _ in range(10):
         about_centre, lambda3, spin, weight = 10 ** draws.uniform(-2, 2, 4)
         arm = 10 ** draws.uniform(-2, 1)
         given = {

@@ -3,7 +3,6 @@
 `test_exact.py` judges the states themselves by 40-digit references.
 """
 
-import itertools
 import math
 from dataclasses import replace
 
@@ -12,12 +11,11 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
-from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 from scipy.special import ellipk
 
 import rigidtop as rt
-from rigidtop.motion import equations, many
+from rigidtop.motion import many
 from rigidtop.motion.exact import samples
 
 TOP = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5)
@@ -53,6 +51,7 @@ def test_after_a_nutation_everything_repeats_but_phi_and_psi(theta, theta_dot, p
 
 
 @given(theta=angles, theta_dot=rates, phi_dot=rates, omega3=spins)
+@settings(max_examples=40)
 def test_theta_goes_from_one_turning_point_to_the_other(theta, theta_dot, phi_dot, omega3):
     motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
     assume(motion.nutation_period < 50)
@@ -65,31 +64,6 @@ def test_theta_goes_from_one_turning_point_to_the_other(theta, theta_dot, phi_do
     reach = 1e-6 * max(1.0, largest - smallest)
     assert path.min() <= smallest + max(reach, near_pole[0])
     assert path.max() >= largest - max(reach, near_pole[1])
-
-
-def test_nutation_period_and_precession_against_integration_with_events():
-    motion = TOP.motion(theta=0.5, theta_dot=0.1, phi_dot=1.0, psi_dot=40.0)
-    rates_of = equations.top_in_euler_angles(1.0, 0.5, 1.0, 9.81, 0.5)
-
-    def right_hand_side(_, y):
-        return [y[1], rates_of((y[0], *y[1:4]))[0], *rates_of((y[0], *y[1:4]))[1:], y[2]]
-
-    def highest(_, y):
-        return y[1]
-
-    highest.direction = 1.0  # θ̇ from below zero to above: smallest θ
-    found = solve_ivp(
-        right_hand_side,
-        (0, 3),
-        [0.5, 0.1, 1.0, 40.0, 0.0],
-        method="DOP853",
-        rtol=1e-12,
-        atol=1e-12,
-        events=highest,
-    )
-    times, phi = found.t_events[0], found.y_events[0][:, 4]
-    assert_allclose(np.diff(times), motion.nutation_period, rtol=1e-9)
-    assert_allclose(np.diff(phi), motion.precession_per_period, rtol=1e-8)
 
 
 def test_plane_pendulum_has_the_period_of_the_textbook():
@@ -190,7 +164,7 @@ def test_regimes_of_small_tilts(start, regime):
     theta_dot=st.sampled_from([0.0, 1e-10, 1e-3, 1.0, -1.0]),
     phi_dot=st.sampled_from([1.0, 1 + 1e-9, 1.1, 0.5, 0.0]),
 )
-@settings(max_examples=300)
+@settings(max_examples=100)
 def test_at_the_critical_spin_a_motion_starts_where_it_does(theta, apart, near, theta_dot, phi_dot):
     """There steady precession, sleeping top and separatrix meet, and three roots of the cubic."""
     spin = TOP.sleeping_spin() * (1 + apart * near)
@@ -346,27 +320,6 @@ def test_half_turns_at_the_vertical_are_no_precession(theta):
             assert motion.precession_per_period == pytest.approx(alike[0], rel=1e-9)
 
 
-def test_the_sign_of_zero_does_not_count():
-    names = ("theta_dot", "phi", "phi_dot", "psi")
-    times = np.array([0.0, -0.0, 0.7, -0.7, 5.0])
-    for theta, spin in itertools.product((0.0, 0.5, math.pi / 2, math.pi), (0.0, 9.0)):
-        for zeros in itertools.product((0.0, -0.0), repeat=4):
-            start = dict(zip(names, zeros, strict=True))
-            for psi in (start["psi"], 3.0):
-                given = start | {"psi": psi, "theta": theta, "omega3": spin}
-                plain = {name: value + 0.0 for name, value in given.items()}
-                parts = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5}
-                for run, other in (
-                    (TOP.motion(**given).exact(times), TOP.motion(**plain).exact(times)),
-                    (
-                        rt.top_motions(**parts, **given).exact(times),
-                        rt.top_motions(**parts, **plain).exact(times),
-                    ),
-                ):
-                    for name in ("theta", "phi", "psi", "theta_dot"):
-                        assert_allclose(getattr(run, name), getattr(other, name), atol=1e-12)
-
-
 @pytest.mark.parametrize("phi", [0.0, 100 * math.pi, -1e4, 1e6 * math.pi])
 @pytest.mark.parametrize("psi", [0.0, 0.7, 100 * math.pi, -1e6])
 def test_turns_at_the_start_cost_no_digits(phi, psi):
@@ -390,67 +343,12 @@ def test_turns_at_the_start_cost_no_digits(phi, psi):
 # --- Late times, many samples, other bodies ---
 
 
-def test_late_times_cost_no_accuracy_beyond_that_of_the_time():
-    motion = TOP.motion(theta=0.5, theta_dot=0.1, phi_dot=1.0, omega3=40.0)
-    turns = 3_000_000
-    late = motion.exact([turns * motion.nutation_period + 0.1, -turns * motion.nutation_period])
-    early = motion.exact([0.1, 0.0])
-    assert_allclose(late.theta, early.theta, atol=1e-8)
-    assert_allclose(
-        late.phi, early.phi + np.array([turns, -turns]) * motion.precession_per_period, rtol=1e-13
-    )
-
-
-@given(theta=angles, theta_dot=rates, phi_dot=rates, omega3=spins)
-@settings(max_examples=150)
-def test_many_samples_are_those_of_few(theta, theta_dot, phi_dot, omega3):
-    motion = TOP.motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
-    times = np.linspace(-20.0, 30.0, 401)
-    run, few = motion.exact(times), motion.exact(times[::50])
-    scale = 1 + np.abs(few.psi).max()
-    for name in ("cos_half", "sin_half", "theta_dot", "v_phi", "phi", "psi"):
-        size = np.abs(getattr(few, name)).max()
-        assert_allclose(
-            getattr(run, name)[::50], getattr(few, name), atol=1e-14 * scale * (1 + size)
-        )
-
-
 def test_phi_and_psi_are_continuous():
     motion = TOP.motion(theta=0.2, theta_dot=1.0, phi_dot=9.0, psi_dot=10.0)
     run = motion.exact(np.linspace(-10, 10, 200_001))
     assert np.abs(np.diff(run.phi)).max() < 0.1
     assert np.abs(np.diff(run.psi)).max() < 0.1
     assert abs(run.phi[100_000]) < 1e-14
-
-
-@given(theta=st.floats(0, math.pi), theta_dot=rates, phi_dot=rates, omega3=spins)
-def test_both_closed_forms_agree_on_a_top_without_weight(theta, theta_dot, phi_dot, omega3):
-    """One solves for e₃ about the vertical, the other for e₃ about L."""
-    top = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5, g=0.0)
-    motion = top.motion(theta=theta, theta_dot=theta_dot, phi=0.4, phi_dot=phi_dot, omega3=omega3)
-    body = rt.FreeBody(1.0, 1.0, 0.5).motion(omega=motion.omega, attitude=motion.attitude)
-    times = [0.0, 0.3, -7.0, 20.0]
-    turned, apart = differences(motion.exact(times), body.exact(times))
-    assert turned.max() < 1e-12
-    assert apart.max() < 1e-11
-
-
-@pytest.mark.parametrize("arm", [0.5, -0.5])
-def test_a_body_with_its_centre_of_mass_below_the_pivot(arm):
-    body = rt.HeavyBody(1.0, 1.0, 0.5, M=1.0, centre_of_mass=(0.0, 0.0, arm))
-    motion = body.motion(omega=(1.0, -2.0, 5.0), attitude=Rotation.from_rotvec([0.4, 0.5, -0.3]))
-    times = [0.0, 1.0, -2.0, 5.0]
-    exact, solved = motion.exact(times), motion.integrate(times, rtol=1e-12, atol=1e-13)
-    turned, apart = differences(exact, solved)
-    assert turned.max() < 1e-10
-    assert apart.max() < 1e-9
-    assert max(exact.drift().values()) < 1e-14
-    heights = motion.exact(np.linspace(0, 30, 4001)).e3
-    tilts = np.arctan2(np.hypot(heights[:, 0], heights[:, 1]), heights[:, 2])
-    assert_allclose(motion.turning_points, (tilts.min(), tilts.max()), atol=1e-4)
-    azimuth = np.unwrap(np.arctan2(heights[:, 1], heights[:, 0]))
-    turned = azimuth[-1] - azimuth[0]
-    assert abs(turned - 30 * motion.mean_precession) < abs(motion.precession_per_period) + 1
 
 
 ARM = (0.15, -0.2, 0.1)
@@ -576,50 +474,6 @@ def test_one_top_and_none_are_many_too():
     assert none.regime.shape == (0,)
 
 
-def test_tops_by_taylor_series():
-    """Drawn to start at and near the poles, at rest, near steady precession and critical spin."""
-    pytest.importorskip("heyoka", reason="heyoka has no wheel here")
-    random, count = np.random.default_rng(12), 60
-
-    def one_of(*choices):
-        return np.choose(random.integers(len(choices), size=count), choices)
-
-    def size(low, high):
-        return 10.0 ** random.uniform(low, high, count)
-
-    lambda1, lambda3 = random.uniform(0.7, 2.0, count), random.uniform(0.1, 1.0, count)
-    R, g = random.uniform(0.05, 0.4, count), one_of(9.81, 0.0, 1.0)
-    normal = random.normal(size=(4, count))
-    critical = 2 * np.sqrt(lambda1 * g * R) / lambda3
-    near = one_of(0.0, 1.0, 1e-3, 1e-8, 1e-14) * normal[0]
-    omega3 = one_of(critical * (1 + near), -critical * (1 + near), 0.0, normal[0], 40 * normal[0])
-    tilt = size(-12, -1)
-    theta = one_of(0.0, math.pi, math.pi / 2, tilt, tilt, math.pi - size(-7, -1), 1.0, 0.3)
-    along = lambda3 * omega3 / (2 * lambda1)  # φ̇ of a top that goes through the upright
-    values = {
-        "lambda1": lambda1,
-        "lambda3": lambda3,
-        "M": np.ones(count),
-        "R": R,
-        "g": g,
-        "theta": theta,
-        "theta_dot": one_of(0.0, normal[1], 1e-6 * normal[1], theta * normal[1]),
-        "phi_dot": one_of(0.0, along, along * (1 + 1e-9), 3 * normal[2]),
-        "omega3": omega3,
-    }
-    times = np.array([0.0, 0.5, -2.0, 5.0])
-    exact = rt.top_motions(**values).exact(times[:, None])
-    for k in range(count):
-        own = {name: float(value[k]) for name, value in values.items()}
-        top = rt.HeavyTop(**{name: own.pop(name) for name in ("lambda1", "lambda3", "M", "R", "g")})
-        solved = top.motion(**own).integrate(times, "taylor", rtol=1e-15)
-        found, expected = solved.quaternion, exact.quaternion[:, k]
-        overlap = np.sum(found * expected, axis=-1)[:, None]
-        assert np.linalg.norm(expected - np.sign(overlap) * found, axis=-1).max() < 1e-12
-        speeds = 1 + np.linalg.norm(solved.omega, axis=-1)
-        assert (np.linalg.norm(exact.omega[:, k] - solved.omega, axis=-1) / speeds).max() < 2e-12
-
-
 def test_many_free_bodies_are_each_alone():
     moments = np.array([[1.0, 2.0, 2.5], [2.0, 2.0, 1.0], [1.5, 1.5, 1.5], [2.5, 1.0, 2.0]])
     omega = np.array([[1.0, 0.1, 0.3], [0.1, -2.0, 1.0], [1.0, 2.0, 3.0], [0.0, 0.0, 1.0]])
@@ -678,7 +532,7 @@ def test_times_that_do_not_fit_the_motions():
 
 
 @given(theta=angles, theta_dot=rates, phi_dot=rates, omega3=spins)
-@settings(max_examples=60)
+@settings(max_examples=30)
 def test_one_top_is_as_many_are(theta, theta_dot, phi_dot, omega3):
     start = {"theta": theta, "theta_dot": theta_dot, "phi_dot": phi_dot, "omega3": omega3}
     times = np.array([0.0, 0.3, -4.0])
@@ -712,8 +566,7 @@ COURSES = {
 }
 
 
-@pytest.mark.parametrize("end", [10.0, -37.0])
-@pytest.mark.parametrize("count", [300, 4_000, 100_000])
+@pytest.mark.parametrize(("count", "end"), [(300, -37.0), (4_000, 10.0), (100_000, -37.0)])
 @pytest.mark.parametrize("name", COURSES)
 def test_many_samples_of_a_top_are_those_of_few(name, count, end):
     motion = TOP.motion(psi=1.0, **COURSES[name])

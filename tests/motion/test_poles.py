@@ -106,8 +106,8 @@ def test_a_near_passage_turns_the_azimuth_by_half_a_turn_to_the_right_side():
         assert few.phi[1] - few.phi[0] == pytest.approx(half_turn + 0.2 * 1.25, abs=0.02)
 
 
-@pytest.mark.parametrize("miss", [1e-3, -1e-3, 1e-5, -1e-5, 1e-7, -1e-7])
-@pytest.mark.parametrize("lead", [0.05, 0.1337, 0.3])
+@pytest.mark.parametrize("miss", [1e-3, -1e-5, 1e-7])
+@pytest.mark.parametrize("lead", [0.05, 0.1337])
 def test_a_near_passage_in_the_middle_of_a_step(miss, lead):
     """Started some time before, so that no step ends where the axis is closest to the pole."""
     motion = TOP.motion(theta=abs(miss), phi_dot=2.0 / miss, omega3=5.0)  # closest at t = 0

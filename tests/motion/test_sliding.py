@@ -109,7 +109,6 @@ def differences(path, other):
 @pytest.mark.parametrize(
     "changes",
     [
-        {},
         {"tip": 0.1, "viscosity": 0.7},
         {"tip": 0.8, "viscosity": 0.3, "drag": 0.2, "drag1": 0.05, "drag3": 0.1},
     ],
@@ -129,12 +128,6 @@ def test_second_computation_agrees_where_nothing_sticks(changes):
     [
         ({"mu": 0.3, "tip": 0.1}, {"theta": 0.3, "omega3": 60.0}, ["standstill"], 1.0),
         ({"mu": 0.2}, {"theta": 0.3, "omega3": 5.0, "slip": (0, 0)}, ["slip"], 1.2),
-        (
-            {"mu": 0.25, "tip": 0.05, "drag": 0.1},
-            {"theta": 0.9, "omega3": 8.0, "phi_dot": 3.0, "slip": (0.0, 0.0)},
-            None,
-            0.6,
-        ),
     ],
 )
 def test_coulomb_friction_is_the_limit_of_a_smeared_one(changes, start, kinds, end):
@@ -143,8 +136,7 @@ def test_coulomb_friction_is_the_limit_of_a_smeared_one(changes, start, kinds, e
     motion = body.motion(**start)
     times = np.linspace(0, end, 13)
     path = motion.integrate(times, **TIGHT)
-    if kinds is not None:
-        assert [event.kind for event in path.events] == kinds
+    assert [event.kind for event in path.events] == kinds
     assert len(path.t) == len(times)
     coarse, fine = (
         max(differences(path, by_rotation_matrix(body, motion, times, epsilon=epsilon)))
@@ -348,14 +340,11 @@ def test_a_sleeping_top_wakes_where_it_is_unstable(changes, moment):
     assert math.sqrt(square) > 0.5
 
 
-@pytest.mark.parametrize(
-    ("changes", "moment"), [({"mu": 1.0}, 1.25), ({}, 1.0)], ids=["gripped", "smooth"]
-)
-def test_air_takes_the_spin_until_it_wakes(changes, moment):
+def test_air_takes_the_spin_until_it_wakes():
     drag = 1e-3
-    body = top(**changes, drag3=drag)
-    threshold = 2 * math.sqrt(moment * 9.81 * 0.5) / 0.5
-    start = {"theta": 1e-4} | ({"slip": (0, 0)} if changes else {})
+    body = top(mu=1.0, drag3=drag)
+    threshold = 2 * math.sqrt(1.25 * 9.81 * 0.5) / 0.5
+    start = {"theta": 1e-4, "slip": (0, 0)}
     times = np.linspace(0, 80, 4001)
     run = body.motion(**start, omega3=1.05 * threshold).integrate(times)
     asleep = run.omega3 > threshold

@@ -11,7 +11,7 @@ from rigidtop.motion.attitude import quaternions, spinors
 
 TOP = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5)
 SLEEPING = TOP.sleeping_spin()  # 8.86 rad/s
-TILTS = [1e-6, 1e-7, 1e-8, 1e-10, 1e-12, 1e-14, 1e-15, 1e-100]
+TILTS = [1e-6, 1e-7, 1e-12, 1e-100]
 
 
 def linear(sign, spin, z, z_dot, t):
@@ -83,7 +83,7 @@ def test_near_pi_by_its_euler_angles(theta):
     close(run, delta, linear(-1, 20.0, delta[0] * np.exp(0.4j), 0, t))
 
 
-@pytest.mark.parametrize("speed", [1e-6, 1e-10, 1e-15])
+@pytest.mark.parametrize("speed", [1e-6, 1e-15])
 def test_a_push_from_upright(speed):
     """θ = 0 at first: how small the motion is only ω₁ and ω₂ say."""
     t = np.linspace(0.01, 5, 201)
@@ -133,7 +133,7 @@ def test_a_slow_body_tumbles_like_a_fast_one(speed):
     assert max((slow.rotation.inv() * fast.rotation).magnitude()) < 1e-8
 
 
-@pytest.mark.parametrize("small", [1e-6, 1e-10, 1e-14])
+@pytest.mark.parametrize("small", [1e-6, 1e-14])
 def test_a_free_body_close_to_its_stable_axis(small):
     """ω₁ and ω₂ oscillate, as small as they are, at the rate ω₃√((λ₃−λ₁)(λ₃−λ₂)/(λ₁λ₂))."""
     t = np.linspace(0, 20, 101)
@@ -142,7 +142,7 @@ def test_a_free_body_close_to_its_stable_axis(small):
     assert run.omega[:, 0] == pytest.approx(small * np.cos(rate * t), abs=2e-8 * small)
 
 
-@pytest.mark.parametrize("small", [1e-6, 1e-10, 1e-14])
+@pytest.mark.parametrize("small", [1e-6, 1e-14])
 def test_a_free_symmetric_body_far_from_the_vertical(small):
     """(ω₁, ω₂) goes round at the rate ω₃(λ₃ − λ₁)/λ₁, however small it is."""
     t = np.linspace(0, 20, 101)

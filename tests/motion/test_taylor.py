@@ -38,7 +38,7 @@ def series(motion, t, rtol=2.3e-16):
         {"theta": 1.0, "theta_dot": 3.0, "omega3": 0.01},  # past the poles, closely
         {"theta": 1e-6, "theta_dot": 0.1, "omega3": 9.0},
         {"theta": math.pi - 1e-6, "phi_dot": 1.0, "omega3": 9.0},
-        {"theta": 0.5, "phi_dot": 2.0, "omega3": 2e2},
+        {"theta": 0.5, "phi_dot": 2.0, "omega3": 5e1},
     ],
 )
 def test_tops_agree_with_dop853(start):

@@ -73,42 +73,6 @@ def test_accelerations_are_those_of_lagranges_method(name):
         assert found == pytest.approx(np.linalg.solve(mass, force), rel=1e-10, abs=1e-12)
 
 
-def test_double_pendulum_is_newtons():
-    # Tensions from the accelerations of the two bobs, solved as a linear system: no Lagrangian.
-    values = {m: 1.3, M: 0.7, l1: 0.9, l2: 1.1, g: 9.81, x: 0.4, y: -1.2, u: 0.8, v: 2.5}
-    ours = mechanics.accelerations(double_pendulum(), (x, y), (u, v)).subs(values)
-    one, two, up, down = values[x], values[y], values[u], values[v]
-
-    def along(angle):
-        return np.array([np.sin(angle), -np.cos(angle)])
-
-    def across(angle):
-        return np.array([np.cos(angle), np.sin(angle)])
-
-    # m r̈₁ = −T₁ n₁ + T₂ n₂ + m g, M r̈₂ = −T₂ n₂ + M g; unknowns ẍ, ÿ, T₁, T₂.
-    weight = np.array([0.0, -values[g]])
-    first = values[l1] * np.array([across(one), -(up**2) * along(one)])
-    second = values[l2] * np.array([across(two), -(down**2) * along(two)])
-    system, right = np.zeros((4, 4)), np.zeros(4)
-    system[:2, 0] = values[m] * first[0]
-    system[:2, 2], system[:2, 3] = along(one), -along(two)
-    right[:2] = values[m] * (weight - first[1])
-    system[2:, 0], system[2:, 1] = values[M] * first[0], values[M] * second[0]
-    system[2:, 3] = along(two)
-    right[2:] = values[M] * (weight - first[1] - second[1])
-    assert np.array(ours, dtype=float)[:, 0] == pytest.approx(np.linalg.solve(system, right)[:2])
-
-
-def test_accelerations_solve_the_equations():
-    for L, q, qdot in SYSTEMS.values():
-        accelerations = symbols("a:3")[: len(q)]
-        equations = mechanics.euler_lagrange(L, q, qdot, accelerations)
-        solution = mechanics.accelerations(L, q, qdot)
-        residual = equations.subs(dict(zip(accelerations, solution, strict=True)))
-        at = {n: 0.1 * n_th + 0.3 for n_th, n in enumerate((*q, *qdot, m, M, l1, l2, k, g, B, e))}
-        assert np.array(residual.subs(at).evalf(), dtype=float) == pytest.approx(0, abs=1e-11)
-
-
 def test_mass_matrix_and_momenta():
     mass = mechanics.mass_matrix(double_pendulum(), (u, v))
     coupling = M * l1 * l2 * cos(x - y)
@@ -142,16 +106,6 @@ def test_energy_of_a_natural_system_and_of_a_charge():
     assert sympy.expand(mechanics.energy(charge(), (u, v)) - wanted) == 0
 
 
-def test_energy_is_conserved_along_the_accelerations():
-    L, q, qdot = SYSTEMS["double pendulum"]
-    accelerations = mechanics.accelerations(L, q, qdot)
-    energy = mechanics.energy(L, qdot)
-    rate = sum(energy.diff(n) * d for n, d in zip(q, qdot, strict=True))
-    rate += sum(energy.diff(d) * n for d, n in zip(qdot, accelerations, strict=True))
-    at = {m: 1.3, M: 0.7, l1: 0.9, l2: 1.1, g: 9.81, x: 0.4, y: -1.2, u: 0.8, v: 2.5}
-    assert float(rate.subs(at)) == pytest.approx(0, abs=1e-12)
-
-
 def test_cyclic_coordinates():
     assert mechanics.cyclic(spherical_pendulum(), (x, y)) == (y,)
     assert mechanics.cyclic(double_pendulum(), (x, y)) == ()
@@ -168,27 +122,6 @@ def test_routhian_of_a_spherical_pendulum():
     assert sympy.simplify(effective - wanted) == 0
     routhian = mechanics.routhian(L, (v,), (p,))
     assert sympy.simplify(routhian - (m * l1**2 * u**2 / 2 - wanted)) == 0
-
-
-def test_routhian_gives_the_motion_that_is_left():
-    L = spherical_pendulum()
-    reduced = mechanics.accelerations(mechanics.routhian(L, (v,), (p,)), (x,), (u,))[0]
-    full = mechanics.accelerations(L, (x, y), (u, v))[0]
-    full = full.subs(v, p / (m * l1**2 * sin(x) ** 2))
-    at = {x: 1.1, u: 0.4, m: 1.3, l1: 0.8, g: 9.81, p: 0.7}
-    assert float(reduced.subs(at)) == pytest.approx(float(full.subs(at)), rel=1e-13)
-
-
-def test_frequency_of_a_conical_pendulum():
-    # Landau and Lifshitz would find it from U″: ω² = v² (1 + 3 cos²x), with cos x = −g/(l v²).
-    rate = sympy.sqrt(g / (-l1 * cos(x)))
-    L = spherical_pendulum()
-    effective = mechanics.effective_potential(L, (v,), (p,), (u,))
-    steady = {p: m * l1**2 * sin(x) ** 2 * rate}
-    frequency = (effective.diff(x, 2) / (m * l1**2)).subs(steady)
-    at = {x: 2.3, g: 9.81, l1: 0.7, m: 1.1}
-    wanted = float((rate**2).subs(at)) * (1 + 3 * np.cos(2.3) ** 2)
-    assert float(frequency.subs(at)) == pytest.approx(wanted, rel=1e-13)
 
 
 def test_sign_of_the_gyroscopic_force_is_newtons():
@@ -208,21 +141,6 @@ def test_hamiltonian_of_a_pendulum():
     assert H.expand() == P**2 / (2 * m * l1**2) - m * g * l1 * cos(x)
     rates = mechanics.hamilton_equations(H, (x,), (P,))
     assert rates == Matrix([P / (m * l1**2), -m * g * l1 * sin(x)])
-
-
-def test_hamiltonian_of_keplers_problem():
-    r = symbols("r", positive=True)
-    H = mechanics.hamiltonian(m * (u**2 + r**2 * v**2) / 2 + k / r, (u, v), (P, Q))
-    assert sympy.expand(H - (P**2 / (2 * m) + Q**2 / (2 * m * r**2) - k / r)) == 0
-    rates = mechanics.hamilton_equations(H, (r, y), (P, Q))
-    wanted = Matrix([P / m, Q / (m * r**2), Q**2 / (m * r**3) - k / r**2, 0])
-    assert (rates - wanted).applyfunc(sympy.expand) == sympy.zeros(4, 1)
-
-
-def test_hamiltonian_of_a_charge_has_the_kinetic_momentum():
-    H = mechanics.hamiltonian(charge(), (u, v), (P, Q))
-    kinetic = ((P + B * e * y / 2) ** 2 + (Q - B * e * x / 2) ** 2) / (2 * m)
-    assert sympy.expand(H - kinetic - k * (x**2 + y**2) / 2) == 0
 
 
 def test_hamiltonian_of_a_relativistic_particle():
@@ -292,12 +210,6 @@ def of_time(L, q, qdot):
     return L.xreplace(there), functions, rates, back
 
 
-def test_orbit_of_a_spring_in_functions_of_time():
-    found = mechanics.accelerations(ORBIT, [r, phi], [r.diff(), phi.diff()])
-    wanted = Matrix([r * phi.diff() ** 2 - k / m * r, -2 * r.diff() * phi.diff() / r])
-    assert (found - wanted).applyfunc(sympy.expand) == sympy.zeros(2, 1)
-
-
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_functions_of_time_do_what_symbols_do(name):
     plain, q, qdot = SYSTEMS[name]
@@ -326,7 +238,7 @@ POWERS = st.tuples(*[st.integers(0, 2)] * 5)
 TERMS = st.lists(st.tuples(st.integers(-4, 4), POWERS), max_size=4)
 
 
-@settings(max_examples=20)
+@settings(max_examples=8)
 @given(TERMS)
 def test_lagranges_equations_of_any_L_of_functions_and_time_are_sympys(terms):
     # h(t) is a motion that is given; t enters besides.

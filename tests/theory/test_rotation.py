@@ -7,7 +7,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 from sympy import Derivative, Function, Matrix, cos, eye, sin, symbols
@@ -147,6 +147,7 @@ PARTS = st.sampled_from(
 )
 
 
+@settings(max_examples=30)
 @given(st.lists(st.lists(PARTS, min_size=1, max_size=4), min_size=1, max_size=3))
 def test_total_derivative_of_functions_of_time_is_sympys(terms):
     expression = sum(sympy.prod(parts) for parts in terms)

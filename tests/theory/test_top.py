@@ -5,9 +5,8 @@ import numpy as np
 import pytest
 import sympy
 from scipy.spatial.transform import Rotation
-from sympy import Matrix, Rational, cos, sin
+from sympy import Rational, cos, sin
 
-from rigidtop.codegen import shipped
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
 from rigidtop.theory.lagrangian import energy, momenta
@@ -239,15 +238,6 @@ def test_a_top_that_spins_backwards_has_its_roots_exchanged():
     assert abs(forty(slow, back) + forty(fast, there)) < 1e-12
     assert abs(forty(fast, back) + forty(slow, there)) < 1e-12
     assert abs(forty(slow, back)) > abs(forty(fast, back))
-
-
-def test_size_of_what_is_shipped():
-    counted = {side.name: shipped.split(side).rates.operations for side in shipped.SHIPPED}
-    assert len(counted) == 7
-    assert counted["top_in_euler_angles"] <= 60  # the symmetric top
-    assert counted["heavy_body"] <= 60  # any moments, any centre
-    assert sum(rate.count_ops() for rate in top.symmetric_top_accelerations()) <= 80
-    assert Matrix(top.heavy_body_rates()).shape == (7, 1)
 
 
 def test_hamiltonian_of_the_top_is_energy_in_momenta():
