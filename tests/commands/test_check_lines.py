@@ -132,13 +132,6 @@ FAULTS = {
 }
 
 
-@pytest.mark.parametrize("text", [*FAULTS][1:])
-def test_a_fault_of_a_page_is_told(text, course, capsys):
-    add(course, text)
-    assert main(["check", f"{course}/"]) == 1
-    assert FAULTS[text] in capsys.readouterr().out
-
-
 def test_a_page_is_read_to_its_end(course, capsys):
     for text in [*FAULTS][1:]:
         add(course, text)

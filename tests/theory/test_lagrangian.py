@@ -73,6 +73,16 @@ def test_accelerations_are_those_of_lagranges_method(name):
         assert found == pytest.approx(np.linalg.solve(mass, force), rel=1e-10, abs=1e-12)
 
 
+def test_accelerations_solve_the_equations():
+    for L, q, qdot in SYSTEMS.values():
+        accelerations = symbols("a:3")[: len(q)]
+        equations = mechanics.euler_lagrange(L, q, qdot, accelerations)
+        solution = mechanics.accelerations(L, q, qdot)
+        residual = equations.subs(dict(zip(accelerations, solution, strict=True)))
+        at = {n: 0.1 * n_th + 0.3 for n_th, n in enumerate((*q, *qdot, m, M, l1, l2, k, g, B, e))}
+        assert np.array(residual.subs(at).evalf(), dtype=float) == pytest.approx(0, abs=1e-11)
+
+
 def test_mass_matrix_and_momenta():
     mass = mechanics.mass_matrix(double_pendulum(), (u, v))
     coupling = M * l1 * l2 * cos(x - y)
