@@ -5,8 +5,11 @@ from __future__ import annotations
 import ast
 import doctest
 import importlib
+import io
 import re
 import shlex
+from contextlib import redirect_stdout
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -62,6 +65,15 @@ def agree(shown: str, out: str) -> bool:
     return re.fullmatch("".join(rows), out.rstrip() + "\n") is not None
 
 
+@cache
+def ran(words: tuple[str, ...]) -> tuple[int, str]:
+    """The exit code of a command and what it prints; several pages have the same one."""
+    patient = ["--seconds", "3600"] if words[0] == "mark" else []
+    with redirect_stdout(io.StringIO()) as out:
+        code = main([*words, *patient])
+    return code, out.getvalue()
+
+
 @pytest.mark.parametrize("page", PAGES, ids=name)
 def test_examples_run(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
@@ -77,7 +89,7 @@ def test_every_command_is_one(page):
 
 
 @pytest.mark.parametrize("page", [page for page in PAGES if commands(page)], ids=name)
-def test_commands_run_and_print_what_is_shown(page, tmp_path, monkeypatch, capsys):
+def test_commands_run_and_print_what_is_shown(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "80")
     for file, text in [*(each for other in PAGES for each in files(other)), *files(page)]:
@@ -86,12 +98,10 @@ def test_commands_run_and_print_what_is_shown(page, tmp_path, monkeypatch, capsy
         if is_whole_lecture(words):
             assert not shown
             continue
-        patient = ["--seconds", "3600"] if words[1] == "mark" else []
-        code = main([*words[1:], *patient])
-        printed = capsys.readouterr()
-        assert code in (0, 1), printed.err
+        code, out = ran(tuple(words[1:]))
+        assert code in (0, 1), words
         if shown:
-            assert agree(shown, printed.out), words
+            assert agree(shown, out), words
 
 
 def test_there_are_such_pages():

@@ -417,58 +417,6 @@ def test_lines_are_short_and_the_text_is_always_the_same(language):
         assert source(made, language, text) == file
 
 
-HALF = by_hand([a**2 / 2 - sin(b) ** 2 / (3 * a)], "half")
-BODIES = {
-    "python": """\
-    x0 = sin(b)
-    return (
-        a**2/2 - x0**2/(3*a),
-    )
-""",
-    "c": """\
-void half(double a, double b, double *out)
-{
-    const double x0 = sin(b);
-    out[0] = a*a/2 - x0*x0/(3*a);
-}
-""",
-    "fortran": """\
-    real(real64) :: x0
-
-    x0 = sin(b)
-    out(1) = a**2/2 - x0**2/(3*a)
-  end subroutine half
-end module half_module
-""",
-    "julia": """\
-function half(a, b)
-    x0 = sin(b)
-    return (
-        a^2/2 - x0^2/(3*a),
-    )
-end
-""",
-    "javascript": """\
-function half(a, b) {
-  const x0 = Math.sin(b);
-  return [
-    a*a/2 - x0*x0/(3*a),
-  ];
-}
-""",
-    "octave": """\
-  x0 = sin(b);
-  y1 = a.^2/2 - x0.^2./(3*a);
-end
-""",
-}
-
-
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_a_small_one_as_it_stands(language):
-    assert source(HALF, language).text.endswith(BODIES[language])
-
-
 def test_the_comment_says_what_goes_in_and_what_comes_out():
     comment = """\
 // equation_3_43: L along the axes after two turns.

@@ -469,6 +469,9 @@ def test_one_top_and_none_are_many_too():
     alone = rt.HeavyTop(**body).motion(theta=0.5, omega3=40.0)
     assert one.exact(2.0).theta == alone.exact(2.0).theta[0]
     assert one.nutation_period == alone.nutation_period
+    spun = {"theta": 0.5, "phi_dot": 1.0, "psi_dot": 40.0}
+    found = rt.top_motions(**body, **spun).nutation_period
+    assert found == rt.HeavyTop(**body).motion(**spun).nutation_period
     none = rt.top_motions(**body, theta=[], omega3=40.0)
     assert none.exact(2.0).theta.shape == (0,)
     assert none.regime.shape == (0,)

@@ -80,7 +80,7 @@ EXPRESSIONS = st.recursive(
 
 
 @given(EXPRESSIONS, st.sampled_from(ALL))
-@settings(max_examples=300)
+@settings(max_examples=100)
 def test_there_and_back_is_the_same_expression(expression, notation):
     there = notation.written(expression)
     assert not there.free_symbols & set(notation.images)
@@ -88,7 +88,7 @@ def test_there_and_back_is_the_same_expression(expression, notation):
 
 
 @given(EXPRESSIONS, st.sampled_from(TURNED))
-@settings(max_examples=150)
+@settings(max_examples=60)
 def test_the_value_is_the_same_at_the_same_attitude(expression, notation):
     symbols = sorted(expression.free_symbols, key=str)
     point = {x: Rational(7 * k + 3, 5) for k, x in enumerate(symbols)}

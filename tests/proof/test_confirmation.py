@@ -111,7 +111,7 @@ def rewritten(term, angle):
     return half.subs(sin(x), 2 * sin(x / 2) * cos(x / 2))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(TERMS, ANGLES)
 def test_random_identities_are_confirmed_and_what_is_near_them_is_refuted(term, angle):
     zero = term - rewritten(term, angle)

@@ -2,6 +2,7 @@
 
 import shutil
 import subprocess
+from functools import cache
 
 import numpy as np
 import pytest
@@ -24,6 +25,7 @@ x, y, z = symbols("x y z", real=True)
 u, v, w = symbols("u v w", real=True)
 
 
+@cache
 def chain(n):
     """n masses, each on a rod from the one before."""
     angles = dynamicsymbols(f"theta1:{n + 1}")
@@ -63,7 +65,7 @@ def row(system, seed=1):
     return [float(a) for a in rng.uniform(0.4, 1.4, len(system.numeric.arguments))]
 
 
-@pytest.mark.parametrize("system", [chain(3), chain(6), arm(3)], ids=["3", "6", "arm"])
+@pytest.mark.parametrize("system", [chain(4), arm(3)], ids=["chain", "arm"])
 def test_parts_give_what_lagrange_gives(system):
     for seed in (1, 2):
         at = row(system, seed)
@@ -72,7 +74,7 @@ def test_parts_give_what_lagrange_gives(system):
         assert np.max(np.abs(found - wanted)) <= 1e-13 * np.max(np.abs(wanted))
 
 
-@pytest.mark.parametrize("n", [5, 12, 20])
+@pytest.mark.parametrize("n", [5, 12])
 def test_a_long_chain_is_what_its_formula_says(n):
     """M is ml²(n − max(i, j)) cos(θᵢ − θⱼ), and f has the sines with the squares of the rates."""
     system = chain(n)
@@ -109,7 +111,7 @@ def test_the_heavy_top_is_short():
 TERMS = [x, y, x * y, sin(x), cos(y), sin(x + y), cos(x) * sin(y), x**2, sympy.exp(y / 3), z * x]
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=10, deadline=None)
 @given(
     st.lists(st.tuples(st.integers(0, 9), st.integers(-3, 3)), min_size=3, max_size=3),
     st.lists(st.tuples(st.integers(0, 9), st.integers(-3, 3)), min_size=1, max_size=3),

@@ -83,9 +83,14 @@ def _point(system, seed):
     return {x: float(rng.uniform(0.5, 1.5)) for x in arguments}
 
 
-def test_accelerations_are_those_of_sympy(known):
+@pytest.fixture(scope="module")
+def of_sympy(known):
+    return _sympy(known.SYSTEM)
+
+
+def test_accelerations_are_those_of_sympy(known, of_sympy):
     system = known.SYSTEM
-    method, given = _sympy(system)
+    method, given = of_sympy
     n = len(system.q)
     back = {f: x for x, f in given.items()}
     rates = {f: x for f, x in back.items() if isinstance(f, sympy.Derivative)}
@@ -127,9 +132,9 @@ def test_programs_get_no_longer(known):
     assert known.SYSTEM.program.operations <= OPERATIONS[name]
 
 
-def test_no_more_operations_than_sympy(known):
+def test_no_more_operations_than_sympy(known, of_sympy):
     """Than SymPy's right-hand side, its common subexpressions taken out."""
-    method, _ = _sympy(known.SYSTEM)
+    method, _ = of_sympy
     shared, reduced = sympy.cse(list(method.rhs()))
     theirs = sympy.count_ops([*(value for _, value in shared), *reduced])
     assert known.SYSTEM.program.operations <= theirs

@@ -72,10 +72,9 @@ def test_colours_are_ours_alone() -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="no shell that closes streams")
 def test_where_the_output_is_closed_it_goes_nowhere() -> None:
-    for closed in (">&-", ">&- 2>&-"):
-        command = f"{sys.executable} -m rigidtop.cli list {closed}"
-        ended = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
-        assert (ended.returncode, ended.stderr) == (0, "")
+    command = f"{sys.executable} -m rigidtop.cli list >&-"
+    ended = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
+    assert (ended.returncode, ended.stderr) == (0, "")
 
 
 def test_without_docstrings_commands_work() -> None:

@@ -98,7 +98,7 @@ def bare(node: Node) -> Node:
     return mapped(node, lambda each: each.of if isinstance(each, Group) else each)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(several(NODES), st.sampled_from([x for x in RELATIONS if x != "→"]))
 def test_it_reads_back(sides: tuple[Node, ...], relation: str) -> None:
     written = Statement(sides, (relation,) * (len(sides) - 1))

@@ -5,7 +5,7 @@ import pickle
 from dataclasses import fields
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rigidtop.tree import nodes as n
@@ -69,6 +69,7 @@ def _above(below):
     return st.one_of([st.builds(kind, *values) for kind, values in _fields(below).items()])
 
 
+few = settings(max_examples=40)
 TREES = st.recursive(LEAVES, _above, max_leaves=8)
 
 COPIES = {
@@ -80,6 +81,7 @@ COPIES = {
 
 
 @pytest.mark.parametrize("copied", COPIES.values(), ids=COPIES)
+@few
 @given(tree=TREES)
 def test_a_copy_is_equal_and_hashes_and_prints_alike(copied, tree):
     other = copied(tree)
@@ -89,11 +91,13 @@ def test_a_copy_is_equal_and_hashes_and_prints_alike(copied, tree):
     assert repr(other) == repr(tree)
 
 
+@few
 @given(one=TREES, other=TREES)
 def test_trees_are_equal_where_they_print_alike(one, other):
     assert (one == other) == (repr(one) == repr(other))
 
 
+@few
 @given(tree=TREES, data=st.data())
 def test_a_rebuilt_tree_has_the_parts_that_it_was_given(tree, data):
     others = data.draw(st.lists(LETTERS, min_size=len(n.parts(tree)), max_size=len(n.parts(tree))))
@@ -106,6 +110,7 @@ def test_a_rebuilt_tree_has_the_parts_that_it_was_given(tree, data):
             assert getattr(rebuilt, field.name) == value
 
 
+@few
 @given(tree=TREES)
 def test_every_node_is_walked_from_the_outside_in(tree):
     walked = list(n.walked(tree))
@@ -114,6 +119,7 @@ def test_every_node_is_walked_from_the_outside_in(tree):
     assert n.letters(tree) == {each for each in walked if isinstance(each, Letter)}
 
 
+@few
 @given(tree=TREES, old=LETTERS)
 def test_a_letter_that_is_replaced_is_gone_and_comes_back(tree, old):
     new = Letter("Ξ")

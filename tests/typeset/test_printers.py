@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 
 import pytest
 import sympy
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import And, Eq, Float, Ge, Gt, Le, Ne, Rational, Symbol, cos, pi, sin, sqrt, symbols
 
@@ -462,6 +462,7 @@ def _value(tree):
     return sympy.nsimplify(result.doit() if hasattr(result, "doit") else result)
 
 
+@settings(max_examples=40)
 @given(typed_trees())
 def test_what_is_printed_means_what_was_typed(tree):
     expected = _value(tree)
@@ -474,6 +475,7 @@ def test_what_is_printed_means_what_was_typed(tree):
     assert read == Fraction(int(expected.p), int(expected.q)), text(tree, "typed")
 
 
+@settings(max_examples=40)
 @given(typed_trees())
 def test_the_order_of_mechanics_keeps_the_value(tree):
     tree = value(tree, {})

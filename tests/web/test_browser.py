@@ -19,7 +19,7 @@ from .conftest import page_data
 pytest.importorskip("selenium", reason="selenium is missing")
 from selenium.webdriver import ActionChains, Keys
 
-NAMES = [(kind, preset.name) for kind, made in PRESETS.items() for preset in made()]
+NAMES = [(kind, made()[k].name) for kind, made in PRESETS.items() for k in (0, -1)]
 HEAVY, FREE = PRESETS
 STILL = "#play=0"
 
@@ -57,7 +57,7 @@ def button(label):
 
 
 @pytest.mark.parametrize(("kind", "name"), NAMES)
-def test_each_preset_opens_by_its_address_and_plays(live, kind, name):
+def test_a_preset_opens_by_its_address_and_plays(live, kind, name):
     # One is opened anew, the others by their addresses put into the page that stands.
     (live.open if name == PRESETS[kind]()[0].name else live.show)(kind, f"#preset={name}")
     live.wait("rigidtop.motion.now.t > 0.2")
@@ -94,7 +94,7 @@ import("rigidtop/motion.js").then(({ createMotion }) => {
 def test_an_hour_of_frames_keeps_the_energy(live, kind):
     live.show(kind, STILL)
     for number, preset in enumerate(PRESETS[kind]()):
-        seconds = 60 if number else 3600  # one for an hour, the others for a minute
+        seconds = 20 if number else 3600  # one for an hour
         t, energy, drifts = live.driver.execute_async_script(HOUR, preset.name, seconds)
         assert t == pytest.approx(seconds * preset.speed)
         assert energy < 1e-10, preset.name
@@ -351,14 +351,9 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize("anew", [True, False])
-def test_a_hostile_address_gives_one_line(live, anew):
-    live.show(HEAVY, STILL)
-    for hash, says in list(HOSTILE.items())[:: 8 if anew else 1]:
-        if anew:
-            live.open(HEAVY, f"{STILL}&{hash}")
-        else:
-            live.show(HEAVY, f"{STILL}&{hash}")
+def test_a_hostile_address_gives_one_line(live):
+    for number, (hash, says) in enumerate(HOSTILE.items()):
+        (live.show if number else live.open)(HEAVY, f"{STILL}&{hash}")
         line = live.find("#notice span")
         assert line.is_displayed()
         assert says.casefold() in line.text.casefold()
@@ -392,9 +387,8 @@ return {
 """
 
 
-@pytest.mark.parametrize("kind", PRESETS)
-def test_tab_goes_round_and_shows_where_it_is(live, kind):
-    live.open(kind, STILL)
+def test_tab_goes_round_and_shows_where_it_is(live):
+    live.open(HEAVY, STILL)
     seen = []
     for _ in range(120):
         press(live, Keys.TAB)
@@ -593,9 +587,8 @@ def assert_named(line, amount, term, expected):
     assert term.name.translate(plain) in line.get_attribute("textContent")
 
 
-@pytest.mark.parametrize("kind", PRESETS)
-def test_a_narrow_screen(phone, kind):
-    phone.open(kind, STILL)
+def test_a_narrow_screen(phone):
+    phone.open(HEAVY, STILL)
     wide = "[...document.querySelectorAll('body *')].filter((x) => x.checkVisibility()"
     assert phone.js("[innerWidth, document.documentElement.scrollWidth]") == [390, 390]
     assert not phone.js(f"{wide} && x.tagName === 'SECTION' && x.scrollWidth > 391)")
@@ -617,12 +610,11 @@ def test_a_narrow_screen(phone, kind):
         assert min(each.size.values()) >= 40
 
 
-SIZES = ((1280, 720), (1920, 1080), (1024, 768), (3840, 2160))
+SIZES = ((1280, 720), (1024, 768), (3840, 2160))
 
 
-@pytest.mark.parametrize("kind", PRESETS)
-def test_cause_and_effect_are_in_view_together(live, kind):
-    live.open(kind, STILL)
+def test_cause_and_effect_are_in_view_together(live):
+    live.open(FREE, STILL)
     sliders = "#start input[type=range]"
     assert len(live.all(sliders)) == 3
     try:
@@ -697,20 +689,17 @@ def test_omega_is_dragged_across_the_separatrix(live):
     live.wait("document.querySelector('.verdict').textContent.includes('on the separatrix')")
 
 
-SEEN = {
-    HEAVY: ["Cusps:", "Cusps:", "Waves:", "Loops:", "Steady", "Steady", "Steady", "there is none",
-            "It sleeps", "It wakes up"],
-    FREE: ["Ω_s", "Ω_s", "round e₃", "round e₁", "turns over every 7.696 s",
-           "turns over every 10.39 s", "unstably", "on the separatrix", "round e₃"],
-}  # fmt: skip
+SEEN = [
+    "Cusps:", "Cusps:", "Waves:", "Loops:", "Steady", "Steady", "Steady", "there is none",
+    "It sleeps", "It wakes up",
+]  # fmt: skip
 
 
-@pytest.mark.parametrize("kind", TOURS)
-def test_the_tour_asks_and_then_shows(live, kind):
-    live.open(kind, STILL)
+def test_the_tour_asks_and_then_shows(live):
+    live.open(HEAVY, STILL)
     press(live, "t")
-    for number, (step, seen) in enumerate(zip(TOURS[kind](), SEEN[kind], strict=True), 1):
-        assert live.find(".tour-place").text.startswith(f"{number} of {len(SEEN[kind])}")
+    for number, (step, seen) in enumerate(zip(TOURS[HEAVY](), SEEN, strict=True), 1):
+        assert live.find(".tour-place").text.startswith(f"{number} of {len(SEEN)}")
         assert live.find(".tour-question").text == step.ask
         # Nothing tells before it is asked.
         assert not any(live.find(x).is_displayed() for x in (".verdict", "#plots", ".about"))
@@ -723,22 +712,20 @@ def test_the_tour_asks_and_then_shows(live, kind):
         assert live.find(".tour-place").text.endswith(f"; {number} of {number} foreseen")
         said = live.find(".verdict")
         assert said.is_displayed()
-        assert seen.replace("_", "") in said.text.replace("\n", "")
+        assert seen in said.text
         assert not live.find("#notice").is_displayed()
         press(live, Keys.ENTER)
     assert not live.find("#tour").is_displayed()
     # A wrong answer is marked, and Escape ends it.
     press(live, "t")
-    press(live, Keys.TAB * (TOURS[kind]()[0].answer == 0), Keys.ENTER)
+    press(live, Keys.TAB * (TOURS[HEAVY]()[0].answer == 0), Keys.ENTER)
     assert live.find("#tour .wrong").is_displayed()
     assert live.find(".tour-place").text.endswith("; 0 of 1 foreseen")
     press(live, Keys.ESCAPE)
     assert not live.find("#tour").is_displayed()
 
 
-@pytest.mark.parametrize(
-    ("kind", "plot"), [(HEAVY, "path"), (HEAVY, "phase"), (HEAVY, "energy"), (FREE, "angles")]
-)
+@pytest.mark.parametrize(("kind", "plot"), [(HEAVY, "phase"), (HEAVY, "energy"), (FREE, "angles")])
 def test_what_is_plotted_is_said(live, kind, plot):
     live.open(kind, f"{STILL}&plot={plot}&t=1&ghost=larger")
     live.wait("rigidtop.motion.now.t === 1")
@@ -748,8 +735,7 @@ def test_what_is_plotted_is_said(live, kind, plot):
         assert f"E = {sample['energy']:.4g}"[:8] in said
     else:
         assert f"θ = {math.degrees(sample['theta']):.2f}°" in said
-    begins = {"path": "θ against φ", "phase": "θ̇ against θ"}
-    assert said.startswith(begins.get(plot, "Against time"))
+    assert said.startswith("θ̇ against θ" if plot == "phase" else "Against time")
 
 
 def aria(live):
@@ -961,9 +947,8 @@ def test_a_notebook_plays_the_same_page(live):
         live.wait("!rigidtop.playing")
 
 
-@pytest.mark.parametrize("kind", PRESETS)
-def test_a_screen_reader_finds_its_way(live, kind):
-    live.open(kind, STILL)
+def test_a_screen_reader_finds_its_way(live):
+    live.open(HEAVY, STILL)
     headings = [
         (int(node["properties"][0]["value"]["value"]), node["name"]["value"])
         for node in accessible(live, "heading")
@@ -973,13 +958,12 @@ def test_a_screen_reader_finds_its_way(live, kind):
     assert set(levels[1:]) == {2}
     assert all(name for _, name in headings)
     label = live.wait("document.querySelector('#scene[role=img]').ariaLabel")
-    regime = "A heavy top, steady precession" if kind == HEAVY else "A free body"
-    assert label.startswith(regime)
+    assert label.startswith("A heavy top, steady precession")
     assert "Now θ = " in label
     spoken = live.find("#verdict [aria-live=polite]")
     said = live.find(".verdict").text
     live.wait(lambda: spoken.get_attribute("textContent") == said)
-    for parameter in page_data(kind)["parameters"]:
+    for parameter in page_data(HEAVY)["parameters"]:
         name = parameter["name"]
         slider, field = live.find(f"#slider-{name}"), live.find(f"#number-{name}")
         unit = "°" if parameter["angle"] else parameter["unit"]

@@ -77,7 +77,7 @@ def test_a_function_evaluates_to_what_its_expressions_do(engine, name):
         "math",
     )  # fmt: skip
 
-    @settings(max_examples=40)
+    @settings(max_examples=20)
     @given(quantities())
     def check(numbers):
         found = np.atleast_1d(engine.run(f"{name}(numbers)", numbers=numbers))
@@ -89,7 +89,7 @@ def test_a_function_evaluates_to_what_its_expressions_do(engine, name):
 
 
 @pytest.mark.parametrize(("name", "side"), [("heavyTop", "heavy_top"), ("heavyBody", "heavy_body")])
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(quantities())
 def test_right_hand_sides_are_those_that_python_integrates(engine, name, side, numbers):
     made = shipped.named(side)
@@ -104,7 +104,7 @@ def test_right_hand_sides_are_those_that_python_integrates(engine, name, side, n
     assert np.allclose(found, expected, rtol=RTOL, atol=RTOL * scale)
 
 
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(quantities())
 def test_space_vectors_and_energy_are_those_of_a_trajectory(engine, numbers):
     n = numbers
@@ -120,7 +120,7 @@ def test_space_vectors_and_energy_are_those_of_a_trajectory(engine, numbers):
     assert math.isclose(engine.run("energy(n)", n=n), energy, rel_tol=1e-11, abs_tol=1e-11)
 
 
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(numbers=quantities())
 def test_angles_and_rates_go_there_and_back(engine, numbers):
     q = [numbers[f"q{k}"] for k in range(4)]
@@ -133,7 +133,7 @@ def test_angles_and_rates_go_there_and_back(engine, numbers):
     assert np.allclose(back, wanted, rtol=1e-11, atol=1e-11)
 
 
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(st.floats(0.01, 1.5), st.floats(0.1, 40.0))
 def test_steady_rates_and_their_threshold_are_those_of_the_top(engine, theta, omega3):
     top_ = rt.HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6)
@@ -148,7 +148,7 @@ def test_steady_rates_and_their_threshold_are_those_of_the_top(engine, theta, om
         assert np.allclose(found, expected, rtol=1e-12)
 
 
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(st.floats(0.5, 1.0), st.floats(1.05, 1.4), st.floats(-3, 3), signed, signed, signed)
 def test_a_polhode_keeps_both_integrals(engine, small, middle, angle_, w1, w2, w3):
     moments = {"lambda1": small, "lambda2": middle, "lambda3": 1.5}
@@ -170,7 +170,7 @@ def sides():
     return top.symmetric_momenta()[1:], [each.function for each in groups]
 
 
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(quantities())
 def test_the_two_sides_of_each_equation_agree(engine, sides, numbers):
     # p_φ and p_ψ are those of the motion here.

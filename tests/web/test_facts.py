@@ -25,7 +25,7 @@ def facts(engine, motion):
     )
 
 
-@settings(max_examples=150)
+@settings(max_examples=50)
 @given(
     st.floats(0.05, 3.0), st.sampled_from([0.0, 0.0, 1.0, -2.0]), st.floats(-8, 8),
     st.floats(-30, 30),
@@ -51,9 +51,9 @@ def alike(theta, omega3):
     return {"alike": ratio * (1 - math.cos(theta)), "opposite": -ratio * (1 + math.cos(theta))}
 
 
-@pytest.mark.parametrize("theta", [math.radians(10), 0.3, 0.5, math.radians(70), 2.0, 3.0])
-@pytest.mark.parametrize("theta_dot", [0.0, 0.5, -2.0, 6.0])
-@pytest.mark.parametrize("omega3", [0.0, 3.0, -3.0, 12.0])
+@pytest.mark.parametrize("theta", [math.radians(10), 0.5, 2.0, 3.0])
+@pytest.mark.parametrize("theta_dot", [0.0, -2.0])
+@pytest.mark.parametrize("omega3", [0.0, -3.0, 12.0])
 @pytest.mark.parametrize("phi_dot", ["alike", "opposite", 0.0, 1.0, -1.5])
 def test_where_the_axis_may_pass_through_the_vertical(
     engine, tableau, theta, theta_dot, omega3, phi_dot
@@ -84,7 +84,7 @@ def test_special_starts(engine, tableau, state, regime):
     assert found["regime"] == regime == WORDS.get(motion.regime, motion.regime)
 
 
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(st.floats(0.02, 3.1), st.floats(-8, 8), st.floats(-30, 30))
 @example(1.0, 0.0078125, 0.0)
 @example(1.0, 1e-6, 0.0)
@@ -142,7 +142,7 @@ def test_a_flip_says_so_and_when(engine, tableau):
     assert "flips" not in facts(engine, gentle)["verdict"]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(
     theta=st.floats(0.1, 3.0), phi_dot=st.floats(-8, 8), omega3=st.floats(-30, 30),
 )  # fmt: skip
@@ -210,7 +210,7 @@ def test_numbers_of_the_verdict_are_those_of_python():
 BODIES = [(1.0, 1.7, 2.3), (2.3, 1.0, 1.7), (1.3, 1.3, 0.7), (1, 2, 2), (2, 1, 2), (1, 1, 1)]
 
 
-@settings(max_examples=200)
+@settings(max_examples=80)
 @given(
     st.sampled_from(BODIES),
     st.lists(st.sampled_from([0.0, 0.5, 1.0, -2.0, 3.7]), min_size=3, max_size=3),

@@ -15,7 +15,7 @@ import rigidtop as rt
 from rigidtop.web.presets import PRESETS, TOP
 from rigidtop.web.setup import body_of, free, heavy, setup_of
 
-QUICK = {"max_examples": 25}
+QUICK = {"max_examples": 12}
 
 
 def triple(most):
@@ -300,7 +300,7 @@ def test_what_is_no_body_is_refused_in_one_sentence(engine, tableau, setup, says
     assert "\n" not in found
 
 
-@settings(max_examples=200)
+@settings(max_examples=80)
 @given(
     *[st.floats(0.2, 3.0)] * 3,
     st.floats(0.1, 2.0),
