@@ -215,3 +215,11 @@ def test_a_gap_is_told_wherever_a_result_is_shown(course, tmp_path, capsys):
     page.write_text(text + "\n" + WRONG_REMARK, "utf-8")  # to which no result is led
     assert main(["map", f"{course}/"]) == 0
     assert main(["lecture", f"{course}/", "-o", str(tmp_path / "out")]) == 1
+
+
+@pytest.mark.parametrize("text", ["", "## The pendulum\n"])
+def test_no_claim_passes_on_an_empty_page(course, text, capsys):
+    (course / "pendulum.md").write_text(text, "utf-8")
+    assert main(["check", f"{course}/", "--json"]) == 1
+    claims = json.loads(capsys.readouterr().out)
+    assert [(claim["verdict"], claim["passed"]) for claim in claims] == [("undecided", False)] * 2
