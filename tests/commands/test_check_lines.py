@@ -223,3 +223,19 @@ def test_no_claim_passes_on_an_empty_page(course, text, capsys):
     assert main(["check", f"{course}/", "--json"]) == 1
     claims = json.loads(capsys.readouterr().out)
     assert [(claim["verdict"], claim["passed"]) for claim in claims] == [("undecided", False)] * 2
+
+
+@pytest.mark.parametrize(
+    ("sentence", "says"),
+    [
+        ("Put the pair into it", "nothing above is called 'the pair'; a line goes by its number"),
+        ("Put both into it", "a line is put into another, not into itself"),
+    ],
+)
+def test_what_is_put_in_is_asked_for_by_a_name(sentence, says, course, capsys):
+    right = "$$2T = ml^2\\dot\\theta^2$$"
+    doubled = f"Multiply the kinetic energy by $2$:\n\n{right}\n\n"
+    add(course, f"## A pair\n\n{doubled}{doubled}{sentence}:\n\n{right}")
+    _, rows = lines(course, capsys)
+    assert rows[-1]["verdict"] == "unread"
+    assert says in rows[-1]["note"]
