@@ -315,7 +315,7 @@ def example_33() -> Iterator[Evidence]:
         falls,
         {s.T_totdot: rate},
         (
-            Assumption(Gt(s.damping, 0), "energy is lost inside the body"),
+            Assumption(Gt(s.damping, 0), "the oil brakes the ball"),
             Assumption(Gt(relative.dot(relative), 0), "the ball turns in the body", stated=True),
         ),
     )

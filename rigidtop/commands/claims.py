@@ -88,7 +88,7 @@ def judged(
     from rigidtop.proof.verdict import judge
 
     for page, claim in over("judging", claims):
-        yield page, judge(claim, page.section, lecture, letters)
+        yield page, judge(claim, page.section, lecture, letters, written=bool(page.text))
 
 
 def summary(judgements: Sequence[Judgement]) -> str:

@@ -102,36 +102,34 @@ def _draw(sequence: str, *angles: float) -> Canvas:
 def euler_angles(sequence: str) -> Drawing:
     """The three turns of a sequence, "zyz" as in the notes or "zxz", in the notes' letters.
 
-    Its parameters are the angles of the notes: those of z–x′–z″ are φ + π/2, θ and ψ − π/2.
+    Its parameters are the angles of that sequence.
     """
-    quarter = math.pi / 2 if sequence == "zxz" else 0.0
 
-    def of_notes(phi: float, psi: float, **_: float) -> dict[str, Any]:
-        nodes = f"e{NODES[sequence] + 1} prime"
-        return {"first": phi + quarter, "last": psi - quarter, "nodes": nodes}
+    def words(**_: float) -> dict[str, Any]:
+        return {"nodes": f"e{NODES[sequence] + 1} prime"}
 
-    def angle(name: str, degrees: float, about: str, shift: float) -> Parameter:
-        value = math.radians(degrees) + shift
-        return Parameter(name, value, about, "rad", least=-2 * math.pi, most=2 * math.pi)
+    def angle(name: str, degrees: float, about: str) -> Parameter:
+        least, most = -2 * math.pi, 2 * math.pi
+        return Parameter(name, math.radians(degrees), about, "rad", least=least, most=most)
 
     return Drawing(
         "euler-angles",
         "Euler's angles: $φ$ about $ẑ$, $θ$ about $e₂′$, $ψ$ about $e₃$",
         "3.3",
         (
-            angle("phi", 60, "first, about $ẑ$", -quarter),
-            replace(angle("theta", 45, "second, about $e₂′$", 0.0), least=0, most=math.pi),
-            angle("psi", 45, "third, about $e₃$", quarter),
+            angle("phi", 60, "first, about $ẑ$"),
+            replace(angle("theta", 45, "second, about $e₂′$"), least=0, most=math.pi),
+            angle("psi", 45, "third, about $e₃$"),
         ),
-        lambda phi, theta, psi: _draw(sequence, phi + quarter, theta, psi - quarter),
-        "Euler's angles $φ$, $θ$ and $ψ$, here {first:°}, {theta:°} and {last:°}: three rotations, "
+        lambda phi, theta, psi: _draw(sequence, phi, theta, psi),
+        "Euler's angles $φ$, $θ$ and $ψ$, here {phi:°}, {theta:°} and {psi:°}: three rotations, "
         "each about the axis on the broad stripe, from $x̂ŷẑ$ (thin) to $e₁e₂e₃$. The axes that "
         "move are dashed before and solid after the step.",
         "Three drawings of a space-fixed frame x, y, z and of a body frame that is turned, first "
-        "by phi, {first:°} degrees, about z, which gives {nodes}; then by theta, {theta:°} "
-        "degrees, about {nodes}, which brings e3 where it stays; last by psi, {last:°} degrees, "
+        "by phi, {phi:°} degrees, about z, which gives {nodes}; then by theta, {theta:°} "
+        "degrees, about {nodes}, which brings e3 where it stays; last by psi, {psi:°} degrees, "
         "about e3, which brings e1 and e2 to their final places.",
-        of_notes,
+        words,
         turned=euler_angles,
     )
 

@@ -133,13 +133,19 @@ class Judgement:
 
 
 def judge(
-    claim: Claim, section: str = "", lecture: Lecture | None = None, letters: Letters = ANY
+    claim: Claim,
+    section: str = "",
+    lecture: Lecture | None = None,
+    letters: Letters = ANY,
+    *,
+    written: bool = False,
 ) -> Judgement:
     """Run the evidence of a claim and compute its verdict.
 
     With a `lecture` that has lines for it, the moves that lead there are made too; a claim without
-    checks is judged by them, under the conditions that they record.  What the `letters` stand for
-    has to exist where numbers refute.
+    checks is judged by them, under the conditions that they record.  Where the page of the claim is
+    `written`, there has to be such a line.  What the `letters` stand for has to exist where numbers
+    refute.
     """
     start = time.perf_counter()
     items: list[Item] = []
@@ -154,7 +160,7 @@ def judge(
             )
         if lecture is not None and claim.name in lecture.names:
             items.append(led(lecture, claim.name))
-        elif lecture is not None and not items:
+        elif lecture is not None and (written or not items):
             problem = _nowhere(claim.name, lecture)
     except Exception as error:  # a claim that breaks is shown as undecided, never as a pass
         problem = f"{type(error).__name__}: {error}"

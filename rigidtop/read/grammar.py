@@ -18,6 +18,7 @@ from rigidtop.read.shapes import (
     FRACTIONS,
     Head,
     brackets,
+    check_order,
     derivative_of,
     framed,
     head_of,
@@ -720,6 +721,8 @@ class Grammar:
                     break
                 variable = self.differential_of()
                 by += [variable] * self.exponent()
+            if by:
+                check_order(order, by, first.position)
             if by and of is not None:
                 return derivative_of(sign, of, by)
             if by:

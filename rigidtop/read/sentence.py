@@ -229,9 +229,13 @@ def _unknown(said: str, context: Context) -> str:
     names = [k.called for k in context.above if k.called] + [
         f"({k.tag})" for k in context.above if k.tag
     ]
-    near = get_close_matches(said, names, n=2)
-    hint = f"; did you mean {' or '.join(near)}?" if near else ""
-    return f"nothing above is called {said!r}{hint}"
+    keys = {_key(name): name for name in names}
+    near = [keys[key] for key in get_close_matches(_key(said), keys, n=2)]
+    hint = f"did you mean {' or '.join(near)}?" if near else _CALLED
+    return f"nothing above is called {said!r}; {hint}"
+
+
+_CALLED = "a line goes by its number, its name, its left side in dollars, “it” or “both”"
 
 
 _A, _B, _U = (f"(?P<{name}>.+?)" for name in "abu")
@@ -264,7 +268,10 @@ class _Shape(NamedTuple):
         by = (*each("xy", _math), *without, *each("se", _settings), *each("kl", _index), *self.by)
         of = each("ab", _list) * (2 if parts.get("twice") else 1)
         power = len(without) or _POWERS.get(parts.get("n") or "", self.power)
-        return Move(self.verb, of, by=by, using=each("u", _list), power=power)
+        using = each("u", _list)
+        if any(known in of for known in using):
+            raise SentenceError("a line is put into another, not into itself: name those put in")
+        return Move(self.verb, of, by=by, using=using, power=power)
 
 
 def _math(said: str, context: Context) -> tuple[Expr, ...]:

@@ -128,9 +128,9 @@ def head_of(items: Sequence[Token]) -> Head | None:
     sign = unbraced(over[0]).text
     if sign not in ("d", "∂") or not under or not is_operator(unbraced(under[0]), sign):
         return None
-    over = over[1:]
+    over, order = over[1:], "1"
     if over and over[0].text == "^" and over[0].kind == "sign":
-        over = over[2:]
+        over, order = over[2:], written(over[1:2])
     by: list[list[Token]] = []
     for token in under:
         if is_operator(unbraced(token), sign) and (not by or by[-1]):
@@ -145,7 +145,15 @@ def head_of(items: Sequence[Token]) -> Head | None:
         if len(part) > 2 and part[-2].text == "^" and written(part[-1:]).isdecimal():
             times, part = min(int(written(part[-1:])), 9), part[:-2]
         repeated += [part] * times
+    if order.isdecimal():
+        check_order(int(order), repeated, items[0].position)
     return Head(sign, over, repeated)
+
+
+def check_order(order: int, by: Sequence[object], position: int) -> None:
+    """UnreadError where a derivative has another order above its bar than below, as d²x/dt."""
+    if order != len(by):
+        raise UnreadError(f"a derivative is of order {order} above and {len(by)} below", position)
 
 
 def _argument(token: Token) -> tuple[Token, ...]:

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
-from rigidtop.terminal.table import table
+from rigidtop.terminal.table import broken, table
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset.text import text
 
 
 def fragment(blocks: Sequence[b.Block], width: int = 88) -> str:
-    """The blocks of a claim or an exercise in `width` columns; equations are never wrapped."""
+    """The blocks of a claim or an exercise in `width` columns."""
     made = "\n".join(line for block in blocks for line in _lines(block, width))
     return visible(made.lstrip("\n") + "\n")
 
@@ -63,7 +63,8 @@ def _row(row: b.Row, width: int) -> list[str]:
     """An equation beneath its sentence."""
     reason = _wrapped(rich(row.spoken), width, "  ", "  ") if row.reason else []
     marks = (f"({row.tag})" if row.tag else "", f"[{row.verdict}]" if row.verdict else "")
-    return [*reason, "  ".join(filter(None, (f"    {text(row.equation, row.order)}", *marks)))]
+    line = "  ".join(filter(None, (text(row.equation, row.order), *marks)))
+    return [*reason, *broken(line, width, "    ")]
 
 
 def _table(block: b.Table, width: int) -> list[str]:

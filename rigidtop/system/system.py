@@ -188,6 +188,8 @@ class System(Computed):
 
         "Hamilton" by H(q, p); "Newton–Euler" by d'Alembert's principle and "Lagrange" by L, where
         the system was made of parts; "balance of energy" is dE/dt less the power of the forces.
+        The places of the parts, their rates and the solver are the program's own in the two ways
+        from parts, whose balances alone are others: of a wrong place they say nothing.
         Differences are relative; all are rounding where all is well.  Raises RigidtopError where
         there is no other way.
         """

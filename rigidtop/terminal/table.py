@@ -67,6 +67,44 @@ def wrapped(text: str, room: int) -> list[str]:
     return [cut(line, room) for line in lines]
 
 
+def broken(formula: str, room: int, indent: str = "") -> list[str]:
+    """A formula in lines of at most `room` columns, begun with `indent`, the later ones deeper.
+
+    A line ends where few brackets are open: best behind a row, then behind a comma, in front of a
+    relation, of a plus or minus.  What has no space stays wider.
+
+    >>> broken("L = a(b + c + d) + e", 17)
+    ['L = a(b + c + d)', '  + e']
+    """
+    lines, first = [], indent
+    while columns(first + formula) > room and (end := _end(formula, room - columns(first))):
+        lines.append(first + formula[:end].rstrip())
+        formula, first = formula[end:].lstrip(), indent + "  "
+    return [*lines, first + formula]
+
+
+def _end(formula: str, room: int) -> int:
+    """Where the first line of a formula is to end; 0 where nothing ends in its `room`."""
+    depth, used, best, end = 0, 0, (0, 0), 0
+    for place, character in enumerate(formula):
+        depth += (character in "([{") - (character in ")]}")
+        if character == " " and used:
+            cost = depth, _cost(formula[place - 1], formula[place + 1 : place + 2])
+            # A line that is hardly begun ends only where there is no other place.
+            if not end or cost <= best or 3 * columns(formula[:end]) < room:
+                best, end = cost, place
+        used += _columns(character)
+        if used > room:
+            break
+    return end
+
+
+def _cost(before: str, behind: str) -> int:
+    """How little a line of a formula likes to end between two characters."""
+    good = (before == ";", before == ",", behind in "=≈≡≠<>≤≥", behind in "+−±∓")
+    return good.index(True) if True in good else len(good)
+
+
 def paragraph(text: str, first: str = "", rest: str = "") -> str:
     """A text in lines as wide as the terminal, the `first` and the `rest` begun so.
 
@@ -156,7 +194,8 @@ def _table(
             lines.append(f"{start}  {shown}".rstrip() if rooms else shown)
         if head and place == 0:
             longest = max(columns(line) for row in every[1:] for line in wrapped(row[-1], rest))
-            lines.append("─" * min(max(indent + longest, columns(lines[0])), max(width, indent)))
+            ends = indent + longest if longest else max(indent - 2, 0)
+            lines.append("─" * min(max(ends, columns(lines[0])), max(width, ends)))
     return "\n".join(lines)
 
 

@@ -208,3 +208,27 @@ def test_a_gap_is_told_wherever_a_result_is_shown(course, tmp_path, capsys):
     page.write_text(text + "\n" + WRONG_REMARK, "utf-8")  # to which no result is led
     assert main(["map", f"{course}/"]) == 0
     assert main(["lecture", f"{course}/", "-o", str(tmp_path / "out")]) == 1
+
+
+@pytest.mark.parametrize("text", ["", "## The pendulum\n"])
+def test_no_claim_passes_on_an_empty_page(course, text, capsys):
+    (course / "pendulum.md").write_text(text, "utf-8")
+    assert main(["check", f"{course}/", "--json"]) == 1
+    claims = json.loads(capsys.readouterr().out)
+    assert [(claim["verdict"], claim["passed"]) for claim in claims] == [("undecided", False)] * 2
+
+
+@pytest.mark.parametrize(
+    ("sentence", "says"),
+    [
+        ("Put the pair into it", "nothing above is called 'the pair'; a line goes by its number"),
+        ("Put both into it", "a line is put into another, not into itself"),
+    ],
+)
+def test_what_is_put_in_is_asked_for_by_a_name(sentence, says, course, capsys):
+    right = "$$2T = ml^2\\dot\\theta^2$$"
+    doubled = f"Multiply the kinetic energy by $2$:\n\n{right}\n\n"
+    add(course, f"## A pair\n\n{doubled}{doubled}{sentence}:\n\n{right}")
+    _, rows = lines(course, capsys)
+    assert rows[-1]["verdict"] == "unread"
+    assert says in rows[-1]["note"]

@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from rigidtop.cli import main
 from rigidtop.commands import figure
 from rigidtop.errors import RigidtopError
 from rigidtop.figures.catalog import FIGURES
@@ -134,3 +135,10 @@ def test_a_figure_in_another_notation(tmp_path, monkeypatch, capsys):
     assert caption.startswith("torque.svg\nThe torque K = R_CM × μg of the weight")
     with pytest.raises(RigidtopError, match=r"--notation goes with .* not with a .gif"):
         run("rolling-cones", "--notation", "landau", "-o", "cones.gif")
+
+
+def test_the_angles_of_a_figure_are_those_of_its_notation(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    for asked in ([], ["--set", "phi=60deg"]):
+        assert main(["figure", "euler-angles", *asked, "--notation", "goldstein"]) == 0
+        assert "here 60°, 45° and 45°" in capsys.readouterr().out

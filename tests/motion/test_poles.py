@@ -175,3 +175,10 @@ def test_spinors_of_an_attitude():
     alpha, beta = spinors(quaternions(from_euler_angles(1.0, 0.6, 0.2)))
     assert complex(alpha) == pytest.approx(math.cos(0.5) * np.exp(0.4j))
     assert complex(beta) == pytest.approx(math.sin(0.5) * np.exp(0.2j))
+
+
+@pytest.mark.parametrize("theta", [0.3, 0.9, 1.5, 2.0, 2.6])
+def test_what_rounding_keeps_from_the_lower_pole_passes_through_it(theta):
+    """p_φ = −p_ψ but for the last digit."""
+    phi_dot = -0.5 * 3 * (1 + math.cos(theta)) / math.sin(theta) ** 2
+    assert TOP.motion(theta=theta, phi_dot=phi_dot, omega3=3.0).regime == "through the vertical"

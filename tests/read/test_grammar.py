@@ -219,3 +219,13 @@ def test_other_readings_come_behind_the_usual_one() -> None:
 )
 def test_what_is_no_formula_has_a_reason(text: str) -> None:
     assert any(isinstance(each, Unread) and each.reason for each in statements(text))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [r"\frac{d^2x}{dt}", r"\frac{dx}{dt^2}", r"\frac{\partial^3 f}{\partial x^2}", "d^2x/dt"],
+)
+def test_a_derivative_is_of_one_order(text: str) -> None:
+    [statement] = statements(f"{text} = 0")
+    assert isinstance(statement, Unread)
+    assert "order" in statement.reason

@@ -177,7 +177,6 @@ def test_euler_angles_are_drawn_in_the_sequence_of_the_notation():
         r"(ii)  $\theta$ about $\mathbf{e}_{1}'$",
         r"(iii)  $\psi$ about $\mathbf{e}_{3}$",
     ]
-    # the attitude is that of the notes' angles, which are others there
     assert drawing.caption(phi=0.0, theta=0.0, psi=0.0).startswith(
-        "Euler's angles $φ$, $θ$ and $ψ$, here 90°, 0° and −90°:"
+        "Euler's angles $φ$, $θ$ and $ψ$, here 0°, 0° and 0°:"
     )
