@@ -15,7 +15,7 @@ from sympy.solvers.solveset import NonlinearError
 
 from rigidtop.judge import paths
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.context import Context, Definition, is_open
 from rigidtop.judge.jets import TIME, jet_of
 from rigidtop.judge.laws import highest
 from rigidtop.judge.meaning import Meaning, Meant, UnclearError, plain
@@ -133,6 +133,8 @@ def _says_something(question: Question, change: Change) -> bool:
     name, _ = named(change.left)
     if name is not None and name in n.letters(change.right) - n.letters(question.right):
         return False  # x = x says nothing
+    if _is_exchanged(question, change):
+        return False
     letter, _ = named(question.left)
     if question.at.inline and letter is not None and change.left != question.left:
         return False  # words that name a letter do not mistake it
@@ -142,6 +144,17 @@ def _says_something(question: Question, change: Change) -> bool:
     # A chain may not end with what it begins with.
     ends = isinstance(question.right, Letter) and change.right == question.context.head
     return not ends
+
+
+def _is_exchanged(question: Question, change: Change) -> bool:
+    """Whether it puts a letter for one that an open line says to be equal to it."""
+    for each in question.context.open:
+        one, other = each.left, each.right
+        before = [n.replaced(side, one, other) for side in (question.left, question.right)]
+        behind = [n.replaced(side, one, other) for side in (change.left, change.right)]
+        if before == behind:
+            return True
+    return False
 
 
 def _is_right(
@@ -166,7 +179,9 @@ def _is_right(
         return compared(paired(flat), worlds)
     if change.left == change.right:
         return False
-    return bool(worlds.holds(paired(flat), trivially=False)) or question.is_kept(paired(flat))
+    if worlds.holds(paired(flat), trivially=False):
+        return True
+    return not worlds.vanish(flat) and question.is_kept(paired(flat))
 
 
 def _is_right_path(question: Question, change: Change, meaning: Meaning) -> bool:
@@ -278,6 +293,7 @@ def contradiction(question: Question) -> Outcome | None:
         for letter, definition in context.definitions.items()
         if definition.number in question.rests_on_meaning
         and definition.number not in context.supported
+        and is_open(definition.scope, question.at.scope)
         and not isinstance(definition.node, Meant)
     ]
     for letter, definition in sorted(names, key=lambda x: -x[1].number)[:3]:
