@@ -282,6 +282,19 @@ def test_macros_of_other_files_are_known():
     assert judged(source)[0].outcome.verdict == "unread"
 
 
+@pytest.mark.parametrize(
+    ("text", "passed"),
+    [
+        (r"$$T = \half mv^2$$ $$2T = mv^2$$", True),
+        (r"$$\eps = 2a$$ $$\epsilon = 3a$$", False),
+        (r"$$L = \half m\dot x^2$$ $$\frac{\del L}{\del\dot x} = m\dot x$$", True),
+        (r"\def\half{3} $$T = \half mv^2$$ $$2T = 6mv^2$$", True),
+    ],
+)
+def test_macros_that_all_know_need_no_definition(text, passed):
+    assert judged(text)[-1].outcome.passed is passed
+
+
 def test_once_the_time_is_up_the_rest_is_open_and_says_so():
     rows = judged("$E = T$ and $E = V$", until=-1)
     assert {(row.outcome.passed, row.outcome.why) for row in rows} == {
