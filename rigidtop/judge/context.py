@@ -29,6 +29,14 @@ class Definition:
     also: tuple[Node, ...] = ()
     supposed: bool = False
     """Whether it is said of a case, and ends where another scope begins."""
+    motion: bool = False
+    """Whether it is a motion in time, which ends with the part of the text around its scope."""
+
+    def lasts(self, scope: tuple[int, ...]) -> bool:
+        """Whether the letter stands for it in another scope, too."""
+        if self.supposed:
+            return self.scope == scope
+        return not self.motion or is_open(self.scope[:-1], scope)
 
 
 LAW, PREMISE, SETTING, LINEAR = "law", "premise", "setting", "linear"
@@ -161,8 +169,7 @@ class Context:
         definitions = {
             letter: definition
             for letter, definition in self.definitions.items()
-            if is_open(definition.scope, scope) or letter != TIME
-            if definition.scope == scope or not definition.supposed
+            if definition.lasts(scope) and (letter != TIME or is_open(definition.scope, scope))
         }
         open_here = tuple(each for each in self.open if is_open(each.scope, scope))
         return replace(self, constraints=kept, definitions=definitions, open=open_here)

@@ -78,11 +78,11 @@ def _is_fixed(question: Question, letter: Letter, value: Value) -> bool:
     """Whether something that holds speaks of the letter, so that it is no name to give.
 
     A law moves a coordinate and does not say where it is; but a motion that is given in time
-    has to obey it.
+    has to obey it. What follows from a Lagrangian with an unknown function does not say which.
     """
     motion = letter in question.moving and not value.has(TIME)
     return any(
-        speaks_of(each.expression, letter, functions=True)
+        speaks_of(each.expression, letter, functions=each.constraint is not None)
         and (each.constraint is not None or not motion)
         for each in question.pool
     )

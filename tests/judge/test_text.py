@@ -226,6 +226,13 @@ TEXTS = [
     # a change that leaves nothing of what it changes
     (r"$\dot{\mathbf L} = \mathbf N$. If the body turns about an axis then $R\mu = \mu$.",
      {1: None}),
+    # a Lagrangian before its terms, of which one is written as a function elsewhere
+    (r"$$L = T - V$$" "\n" r"$$T = \frac12m\dot x^2$$" "\n" r"$$V = \frac12kx^2$$" "\n"
+     r"$$\frac{\partial L}{\partial x} = -kx$$" "\n" r"$$m\ddot x = -kx$$" "\n"
+     r"$$m\ddot x = kx$$" "\n# Free\n$V(x, y) = mgy$", {3: None, 4: True, 5: True, 6: False}),
+    # a motion ends with the part of the text around it
+    ("# Ball\n## Low\n" r"$$\ddot u = -w^2u$$" "\n" r"$$u = A\cos wt$$" "\n# Rod\n"
+     r"$$L = \frac12a\dot u^2 + b\cos u$$" "\n" r"$$a\ddot u = -b\sin u$$", {4: True, 7: True}),
     # what a letter stands for in another part of the text is no contradiction
     ("# A\n$v = -u s$ and $s = q/b$\n# B\n$$v = q u/b$$", {4: None}),
 ]  # fmt: skip
