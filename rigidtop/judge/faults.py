@@ -121,12 +121,19 @@ def _right_changes(
 
 
 def _near(question: Question) -> set[Letter]:
-    """The letters that have to do with a statement: they, and no others, may be missing in it."""
+    """The letters that have to do with a statement: they, and no others, may be missing in it.
+
+    A quantity that is given as a number with a unit belongs to an example.
+    """
     near = {jet.letter for x in question.worlds.letters if (jet := jet_of(x)) is not None}
     for letter, definition in question.context.definitions.items():
         if definition.number in question.rests_on:
             near |= {letter, *n.letters(definition.node)}
-    return near
+    return {x for x in near if not _has_unit(question.context.definitions.get(x))}
+
+
+def _has_unit(definition: Definition | None) -> bool:
+    return definition is not None and any(isinstance(x, n.Unit) for x in n.walked(definition.node))
 
 
 def _says_something(question: Question, change: Change) -> bool:
@@ -179,9 +186,9 @@ def _is_right(
         return compared(paired(flat), worlds)
     if change.left == change.right:
         return False
-    if worlds.holds(paired(flat), trivially=False):
-        return True
-    return not worlds.vanish(flat) and question.is_kept(paired(flat))
+    if ZERO not in (question.left, question.right) and worlds.vanish(flat):
+        return False  # sides that are zero since their terms cancel say nothing of each other
+    return bool(worlds.holds(paired(flat), trivially=False)) or question.is_kept(paired(flat))
 
 
 def _is_right_path(question: Question, change: Change, meaning: Meaning) -> bool:
