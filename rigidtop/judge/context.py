@@ -27,6 +27,16 @@ class Definition:
     places: tuple[Node, ...] = ()
     index: str = ""
     also: tuple[Node, ...] = ()
+    supposed: bool = False
+    """Whether it is said of a case, and ends where another scope begins."""
+    motion: bool = False
+    """Whether it is a motion in time, which ends with the part of the text around its scope."""
+
+    def lasts(self, scope: tuple[int, ...]) -> bool:
+        """Whether the letter stands for it in another scope, too."""
+        if self.supposed:
+            return self.scope == scope
+        return not self.motion or is_open(self.scope[:-1], scope)
 
 
 LAW, PREMISE, SETTING, LINEAR = "law", "premise", "setting", "linear"
@@ -103,6 +113,8 @@ class Context:
     """Whether ω₁ is a component of a vector **ω** of which nothing says what it is."""
     bounds: tuple[tuple[Node, Node], ...] = ()
     """What is said to be no smaller than something else."""
+    open: tuple[Constraint, ...] = ()
+    """What letters are said to be in lines that are left open."""
     little: tuple[frozenset[Letter], ...] = ()
     """Letters that are said to be much smaller than others, together at a time."""
     head: Letter | None = None
@@ -152,13 +164,15 @@ class Context:
         kept = tuple(
             c
             for c in self.constraints
-            if (_is_open(c.scope, scope) or c.kind == LAW) and c.until in (None, sentence)
+            if (is_open(c.scope, scope) or c.kind == LAW) and c.until in (None, sentence)
         )
-        moment = self.definitions.get(TIME)
-        context = self
-        if moment is not None and not _is_open(moment.scope, scope):
-            context = self.forgetting(TIME)
-        return replace(context, constraints=kept)
+        definitions = {
+            letter: definition
+            for letter, definition in self.definitions.items()
+            if definition.lasts(scope) and (letter != TIME or is_open(definition.scope, scope))
+        }
+        open_here = tuple(each for each in self.open if is_open(each.scope, scope))
+        return replace(self, constraints=kept, definitions=definitions, open=open_here)
 
 
 def _reached(node: Node, definitions: Mapping[Letter, Definition]) -> list[Letter]:
@@ -172,5 +186,6 @@ def _reached(node: Node, definitions: Mapping[Letter, Definition]) -> list[Lette
     return reached
 
 
-def _is_open(scope: tuple[int, ...], now: tuple[int, ...]) -> bool:
+def is_open(scope: tuple[int, ...], now: tuple[int, ...]) -> bool:
+    """Whether a place lies in a scope."""
     return now[: len(scope)] == scope

@@ -47,10 +47,18 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     if is_vector(letter) and not isinstance(value, MatrixBase) and value != 0:
         raise UnclearError("one side is a vector, the other is a number")
     at, node = question.at, signed(other, question.signs[0])
-    known = context.defining(letter, Definition(node, at.number, at.scope, places, index))
+    supposed = _is_case(question, letter, node)
+    meant = Definition(node, at.number, at.scope, places, index, supposed=supposed)
+    known = context.defining(letter, meant)
     why = f"what {in_words(name)} stands for"
     brings = frozenset({in_words(letter)})
     return Outcome(DEFINITION, why, frozenset(meaning.used), brings=brings), known
+
+
+def _is_case(question: Question, letter: Letter, node: Node) -> bool:
+    """Whether a letter is given a number that is supposed, or is one of two that are equal."""
+    alike = isinstance(node, Letter) and node.base == letter.base
+    return alike or (question.at.supposed and not n.letters(node))
 
 
 def _only_names(question: Question, letter: Letter) -> bool:
@@ -70,11 +78,11 @@ def _is_fixed(question: Question, letter: Letter, value: Value) -> bool:
     """Whether something that holds speaks of the letter, so that it is no name to give.
 
     A law moves a coordinate and does not say where it is; but a motion that is given in time
-    has to obey it.
+    has to obey it. What follows from a Lagrangian with an unknown function does not say which.
     """
     motion = letter in question.moving and not value.has(TIME)
     return any(
-        speaks_of(each.expression, letter, functions=True)
+        speaks_of(each.expression, letter, functions=each.constraint is not None)
         and (each.constraint is not None or not motion)
         for each in question.pool
     )

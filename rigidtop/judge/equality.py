@@ -79,7 +79,12 @@ def _failed(question: Question, holds: bool | None) -> Judgement:
 
 def _excused(question: Question) -> Judgement | None:
     """What it says in other words than an equation of what is known now."""
-    return approximations.said(question) or novelties.force(question) or _other_form(question)
+    return (
+        approximations.said(question)
+        or novelties.dot(question)
+        or novelties.force(question)
+        or _other_form(question)
+    )
 
 
 def _path(question: Question, holds: bool | None) -> Judgement | None:

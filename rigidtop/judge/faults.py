@@ -15,7 +15,7 @@ from sympy.solvers.solveset import NonlinearError
 
 from rigidtop.judge import paths
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.context import Context, Definition, is_open
 from rigidtop.judge.jets import TIME, jet_of
 from rigidtop.judge.laws import highest
 from rigidtop.judge.meaning import Meaning, Meant, UnclearError, plain
@@ -121,18 +121,27 @@ def _right_changes(
 
 
 def _near(question: Question) -> set[Letter]:
-    """The letters that have to do with a statement: they, and no others, may be missing in it."""
+    """The letters that have to do with a statement: they, and no others, may be missing in it.
+
+    A quantity that is given as a number with a unit belongs to an example.
+    """
     near = {jet.letter for x in question.worlds.letters if (jet := jet_of(x)) is not None}
     for letter, definition in question.context.definitions.items():
         if definition.number in question.rests_on:
             near |= {letter, *n.letters(definition.node)}
-    return near
+    return {x for x in near if not _has_unit(question.context.definitions.get(x))}
+
+
+def _has_unit(definition: Definition | None) -> bool:
+    return definition is not None and any(isinstance(x, n.Unit) for x in n.walked(definition.node))
 
 
 def _says_something(question: Question, change: Change) -> bool:
     name, _ = named(change.left)
     if name is not None and name in n.letters(change.right) - n.letters(question.right):
         return False  # x = x says nothing
+    if _is_exchanged(question, change):
+        return False
     letter, _ = named(question.left)
     if question.at.inline and letter is not None and change.left != question.left:
         return False  # words that name a letter do not mistake it
@@ -142,6 +151,17 @@ def _says_something(question: Question, change: Change) -> bool:
     # A chain may not end with what it begins with.
     ends = isinstance(question.right, Letter) and change.right == question.context.head
     return not ends
+
+
+def _is_exchanged(question: Question, change: Change) -> bool:
+    """Whether it puts a letter for one that an open line says to be equal to it."""
+    for each in question.context.open:
+        one, other = each.left, each.right
+        before = [n.replaced(side, one, other) for side in (question.left, question.right)]
+        behind = [n.replaced(side, one, other) for side in (change.left, change.right)]
+        if before == behind:
+            return True
+    return False
 
 
 def _is_right(
@@ -166,6 +186,8 @@ def _is_right(
         return compared(paired(flat), worlds)
     if change.left == change.right:
         return False
+    if ZERO not in (question.left, question.right) and worlds.vanish(flat):
+        return False  # sides that are zero since their terms cancel say nothing of each other
     return bool(worlds.holds(paired(flat), trivially=False)) or question.is_kept(paired(flat))
 
 
@@ -278,6 +300,7 @@ def contradiction(question: Question) -> Outcome | None:
         for letter, definition in context.definitions.items()
         if definition.number in question.rests_on_meaning
         and definition.number not in context.supported
+        and is_open(definition.scope, question.at.scope)
         and not isinstance(definition.node, Meant)
     ]
     for letter, definition in sorted(names, key=lambda x: -x[1].number)[:3]:

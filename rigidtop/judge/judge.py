@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from rigidtop.judge import approximations, bounds, equality, roots
-from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.context import PREMISE as SUPPOSED
+from rigidtop.judge.context import Constraint, Context, Definition
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
 from rigidtop.judge.meaning import Meaning, Memory, UnclearError, is_component
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, Outcome, joint
@@ -30,6 +31,9 @@ from rigidtop.tree.plain import plain as in_words
 from rigidtop.tree.several import has_sign
 from rigidtop.tree.statement import Statement
 
+MOST_OPEN = 3
+"""So many lines that were left open are tried where a line would be wrong without them."""
+
 GREATER, LESS = ("≥", ">"), ("≤", "<")
 
 
@@ -53,13 +57,25 @@ class Judge:
         if outcome.verdict == FALSE and outcome.rests_on & context.doubted:
             why = "it rests on what has been said in two ways"
             return Outcome(UNDECIDED, why, outcome.rests_on), context
+        if outcome.verdict == FALSE and self._follows_if_open(statement, situation, context):
+            why = "it follows from what is left open above"
+            return Outcome(UNDECIDED, why, outcome.rests_on), doubting
         if outcome.verdict == UNDECIDED:
-            after = after.doubting(statement.sides[0])
+            after = _with_open(statement, situation, after.doubting(statement.sides[0]))
         supposed = situation.supposed and outcome.verdict == FALSE
         if situation.closed or outcome.passed or not (situation.case or supposed):
             return outcome, after
         # What is said of a case says nothing of the others.
         return Outcome(PREMISE, "a special case"), doubting.knowing(letters_in(statement))
+
+    def _follows_if_open(
+        self, statement: Statement, situation: Situation, context: Context
+    ) -> bool:
+        """Whether it follows where something holds that is said above and was left open."""
+        return any(
+            self._in_context(statement, situation, context.holding(each))[0].passed
+            for each in context.open[-MOST_OPEN:]
+        )
 
     # --- the contexts in which it may be meant ---------------------------------------------------
 
@@ -168,6 +184,15 @@ class Judge:
             left, right = n.Rate(left), ZERO
         premises = Premises(context, self.memory, at.instant)
         return Question(left, right, at, premises, self.patience, inner)
+
+
+def _with_open(statement: Statement, at: Situation, context: Context) -> Context:
+    """What is known behind a line that is left open: if it says what a letter is, that may be."""
+    left, *_, right = statement.sides
+    if {*statement.relations} != {"="} or not isinstance(left, Letter):
+        return context
+    supposed = Constraint(left, right, at.number, SUPPOSED, at.scope)
+    return replace(context, open=(*context.open, supposed))
 
 
 def _related(question: Question, relation: str) -> Judgement:

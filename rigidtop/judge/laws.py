@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import sympy
 from sympy import Expr, Integer, MatrixBase, Symbol
+from sympy.core.function import AppliedUndef
 
 from rigidtop.judge import worlds
 from rigidtop.judge.context import FORCED, LAW, LINEAR, PREMISE, Constraint, Context
@@ -307,11 +309,18 @@ def base_of(x: Symbol) -> object:
     return x if jet is None else (jet.letter, jet.place, jet.instant)
 
 
+@lru_cache(maxsize=20_000)
+def bases_of(expression: Expr) -> frozenset[object]:
+    """The letters of an expression, and the unknown functions in it, but for the time."""
+    functions = {x.func for x in expression.atoms(AppliedUndef)}
+    return frozenset({base_of(x) for x in symbols(expression)} - {TIME} | functions)
+
+
 def related(asked: Iterable[Expr], pool: Sequence[Residual]) -> list[Residual]:
     """What has a letter of what is asked, or of what has one."""
-    need = {base_of(x) for e in asked for x in symbols(e)} - {TIME}
+    need = {x for e in asked for x in bases_of(e)}
     chosen: list[Residual] = []
-    left = [(each, {base_of(x) for x in symbols(each.expression)} - {TIME}) for each in pool]
+    left = [(each, bases_of(each.expression)) for each in pool]
     grown = True
     while grown:
         grown = False

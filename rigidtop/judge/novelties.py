@@ -13,7 +13,7 @@ from rigidtop.judge.faults import slip
 from rigidtop.judge.jets import jet_of, rate
 from rigidtop.judge.laws import LAGRANGIANS, highest, lagrange
 from rigidtop.judge.meaning import Meant, is_vector
-from rigidtop.judge.outcome import SAMPLED, Outcome
+from rigidtop.judge.outcome import DEFINITION, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes
 from rigidtop.judge.sides import own_letters
@@ -146,6 +146,17 @@ def force(question: Question) -> Judgement | None:
     outcome = Outcome("premise", "it brings a force", question.rests_on_meaning)
     outcome = brings(question, new) if new else outcome
     return outcome, question.context.holding(question.constraint(FORCED))
+
+
+def dot(question: Question) -> Judgement | None:
+    """What a dot means, where it is said to be the derivative by another letter than the time."""
+    left, right = question.left, question.right
+    if not (isinstance(left, n.Rate) and left.dotted and isinstance(right, n.Derivative)):
+        return None
+    if left.of != right.of or Letter("t") in right.by:
+        return None
+    by = ", ".join(map(in_words, right.by))
+    return Outcome(DEFINITION, f"a dot is the derivative by {by}"), question.context
 
 
 def value(question: Question) -> Judgement | None:

@@ -30,7 +30,8 @@ def path_of(question: Question) -> Path | None:
     if isinstance(value, MatrixBase) or not value.has(TIME) or speaks_of(value, letter):
         return None
     before = context.forgetting(letter)
-    definition = Definition(question.right, question.at.number, question.at.scope)
+    at = question.at
+    definition = Definition(question.right, at.number, at.scope, motion=True)
     return Path(letter, value, before, before.defining(letter, definition))
 
 

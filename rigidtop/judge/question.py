@@ -219,11 +219,11 @@ class Question:
     @cached_property
     def grounds(self) -> Grounds:
         """What has to do with it."""
-        sides = paired(plain([x for pair in self.meant for x in pair]))
-        flat = [x for pair in sides for x in pair]
+        flat = [x for pair in self.meant for x in pair]
         equations, rests_on, near = surrounding(flat, self.context, self.pool)
         together = plain([*equations, *flat])
-        return Grounds(sides, together[: len(equations)], rests_on, near)
+        count = len(equations)
+        return Grounds(paired(together[count:]), together[:count], rests_on, near)
 
     @property
     def both(self) -> list[Pair]:

@@ -229,8 +229,15 @@ def _times(
     if not (named or isinstance(bare, (n.Sum, n.Tuple, n.Matrix, Number))):
         yield _negated(side), "another sign", 0.2
         for factor, words, rank in factors:
-            yield _product(factor, side), f"{words} times as much", rank
+            if not _cancels(factor, side):
+                yield _product(factor, side), f"{words} times as much", rank
     yield from _everywhere(side, local)
+
+
+def _cancels(factor: Node, side: Node) -> bool:
+    """Whether a factor is one over what the side is, or over a factor of it."""
+    own = side.factors if isinstance(side, n.Product) else (side,)
+    return isinstance(factor, n.Quotient) and factor.under in own
 
 
 def _terms(node: Node) -> tuple[Node, ...]:

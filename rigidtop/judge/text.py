@@ -18,7 +18,7 @@ from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.situation import Situation
 from rigidtop.read.cues import Cue
 from rigidtop.read.declared import declared
-from rigidtop.read.macros import Macros, defined
+from rigidtop.read.macros import Macros, customary, defined
 from rigidtop.read.passages import Passage, passages
 from rigidtop.read.statements import statements
 from rigidtop.read.walk import places
@@ -145,7 +145,8 @@ def read_text(
     With `plain` mathematics outside of dollars is read too.
     """
     around = passages(source, plain)
-    return statements_of(around, defined(source, macros), until), places(source)
+    known = defined(source, {**customary(source), **(macros or {})})
+    return statements_of(around, known, until), places(source)
 
 
 def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -> Read:

@@ -103,6 +103,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         rf"{_START}(?:suppos(?:e|ing)|assum(?:e|ing)|let)(?: (?:now|that|us|also|first))*{_NOUN},?",
         rf"{_START}(?:set(?:ting)?|put(?:ting)?|tak(?:e|ing)|try)(?: (?:now|also|first|as))*",
         r"\blet [^§.;]{1,60}:(?: § [^§.;]{1,30},)*",
+        rf"{_START}set(?:ting)? [^§=.;:]{{1,40}} = [^§=.;:]{{1,40}}",
         r"\bI (?:assume|take|suppose)(?: that)?",
         rf"\b(?:angenommen|nimm an|nehmen (?:wir )?an|sei(?:en)?|sind nun"
         rf"|setze(?:n wir)?),?(?: nun| dass)*{_NOUN}",
@@ -217,6 +218,7 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         rf"{_START}for the(?! {_QUANTITY})(?: (?!the\b|at\b)[\w'-]+){{1,5}}",
         rf"{_START}(?:for|für|pour)",
         rf"{_START}(?:without|ohne|sans) [^,;:.§]{{1,30}},?",
+        r"\b(?:if|when|wenn|falls|si|lorsque) [^.;:]{1,150}[ ,](?:then|dann|alors)",
         rf"{_START}on the (?!other|one)[\w -]{{1,20}},",
         rf"{_START}while an? [^,;:.(§]{{1,30}},",
         rf"{_START}in (?:steady|uniform|circular|equilibrium|free) [^,;:.§]{{0,30}}\(?",
@@ -303,7 +305,7 @@ def passed_on(
     clause = _CLAUSE.fullmatch(before) and _INLINE[Cue.CASE].search(opening)
     if display != follower or clause or not before.strip():
         return heard - _PREMISES
-    return heard - {Cue.CONSTANT}
+    return heard - {Cue.CONSTANT} | ({Cue.CASE} if Cue.CONDITION in heard else set())
 
 
 def enumerates(before: str) -> bool:

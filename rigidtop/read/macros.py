@@ -219,3 +219,18 @@ PACKAGES: Macros = {
 }
 """What the packages that physicists load define, such as physics; of each as many as it has
 numbers of arguments.  A file's own definitions come before them."""
+
+_CUSTOMARY: Macros = {
+    r"\half": _macro(r"\frac{1}{2}"),
+    r"\eps": _macro(r"\epsilon"),
+}
+_SLOPE = re.compile(r"\\d?frac\s*\{\s*\\del(?![A-Za-z])")
+
+
+def customary(source: str) -> Macros:
+    r"""What physicists write without defining it where they write, since all know it.
+
+    A ``\del`` is ∂ in a text that has a fraction of it, and ∇ in others.
+    """
+    slope = r"\partial" if _SLOPE.search(source) else r"\nabla"
+    return {**_CUSTOMARY, r"\del": _macro(slope)}

@@ -43,13 +43,13 @@ _MARK = re.compile(
     rf"|\\(?P<side>begin|end)[ \t]*\{{(?P<name>{_LISTS}|{_THEOREMS})\*?\}}"
     r"|\\(?P<item>item|(?:sub){0,2}part|question|task)(?![A-Za-z])"
     r"|\\(?P<paragraph>(?:sub)?paragraph\*?[ \t]*\{)"
-    rf"|^[ \t]{{0,3}}(?:\\noindent\s*)?(?P<bold>{_BOLD})?"
+    rf"|^[ \t]*(?:\\noindent\s*)?(?P<bold>{_BOLD})?"
     rf"(?:(?P<exercise>(?:{_EXERCISES})[ ~]*(?:\d|[A-Z]\b|\())"
     rf"|(?P<case>(?:{_CASES})[ ~]*(?:\d|[A-Z]\b|\())"
     r"|(?P<letter>\([a-hivx]{1,4}\)|[a-h]\)(?=[ \t]))|(?(bold)(?P<title>(?=\S))|(?!)))"
     r"|^(?P<indent>[ \t]*)(?P<entry>(?:[-*+]|(?P<count>\d{1,3})[.)])[ \t]+(?=\S)"
     r"|<tr\b[^>\n]{0,200}>|<li\b[^>\n]{0,200}>|\|(?=[^\n]*\|[ \t]*$))"
-    r"|(?P<text>\n[ \t]*\n(?P<left>[ \t]*)(?=[^\W\d_]))",
+    r"|(?P<text>\n[ \t]*\n(?P<left>[ \t]*)(?![a-h]\)[ \t])(?=[^\W\d_]))",
     re.M,
 )
 _BLOCK_ENDS = re.compile(

@@ -205,6 +205,36 @@ TEXTS = [
     # a function of a coordinate moves with it
     (r"$\ddot q = -s\dot q$ and $F'(q) = f(q)$, hence" "\n"
      r"$$\dot qf(q) = \frac{dF(q)}{dt}$$", {2: True}),
+    # what unknown functions of one letter are to each other
+    (r"$$Z(w) = A(w)e^{is}$$" "\n" r"$$\frac{Z(w)}{A(w)} = e^{-is}$$", {2: False}),
+    # a letter in place of one that an open line says to be equal to it
+    ("$u^2 = 2a$ and $w^2 = 3a$. The pitch is $q = u/s$; for sound, $u = w$. Hence\n$$q = w/s$$",
+     {1: None, 2: None}),
+    # what follows from an open line is open
+    ("$u^2 = 2a$ and $w^2 = 3a$. The pitch is $q = u/s$; for sound, $u = 2w$. Hence\n"
+     "$$q = 2w/s$$", {1: None, 2: None}),
+    # the meaning of a dot
+    (r"$T = \frac12m(\dot x^2 + \dot y^2)$" "\n" r"$$\dot y = \frac{dy}{dx}$$", {2: None}),
+    # a number that is supposed, and two letters that are equal, end with their part of the text
+    ("For $a \\ne 0$ and $b = 0$ it rests.\n\n---\n\n$$b \\approx 2.5$$", {5: None}),
+    ("$c = n_1v_1 = n_2v_2$\n# Mirror\n" r"$\theta_1 = \theta_2$" "\n# Glass\n"
+     r"$$n_1\sin\theta_1 = n_2\sin\theta_2$$", {5: None}),
+    # an equation that words set
+    (r"$H = \frac{p^2}{2ml^2} - mgl\cos\theta$" "\n\nSetting H = K:\n"
+     r"$$\frac{p^2}{2ml^2} - mgl\cos\theta = mgl$$" "\n" r"$$p^2 = 2m^2l^2g(1 + \cos\theta)$$",
+     {4: None, 5: False}),
+    # a change that leaves nothing of what it changes
+    (r"$\dot{\mathbf L} = \mathbf N$. If the body turns about an axis then $R\mu = \mu$.",
+     {1: None}),
+    # a Lagrangian before its terms, of which one is written as a function elsewhere
+    (r"$$L = T - V$$" "\n" r"$$T = \frac12m\dot x^2$$" "\n" r"$$V = \frac12kx^2$$" "\n"
+     r"$$\frac{\partial L}{\partial x} = -kx$$" "\n" r"$$m\ddot x = -kx$$" "\n"
+     r"$$m\ddot x = kx$$" "\n# Free\n$V(x, y) = mgy$", {3: None, 4: True, 5: True, 6: False}),
+    # a motion ends with the part of the text around it
+    ("# Ball\n## Low\n" r"$$\ddot u = -w^2u$$" "\n" r"$$u = A\cos wt$$" "\n# Rod\n"
+     r"$$L = \frac12a\dot u^2 + b\cos u$$" "\n" r"$$a\ddot u = -b\sin u$$", {4: True, 7: True}),
+    # what a letter stands for in another part of the text is no contradiction
+    ("# A\n$v = -u s$ and $s = q/b$\n# B\n$$v = q u/b$$", {4: None}),
 ]  # fmt: skip
 """Texts, and whether the formulas of a line follow, are wrong (False), or neither (None)."""
 
@@ -257,6 +287,19 @@ def test_macros_of_other_files_are_known():
     rows = judged(source, defined(r"\newcommand{\q}{\dot x}"))
     assert rows[-1].outcome.passed
     assert judged(source)[0].outcome.verdict == "unread"
+
+
+@pytest.mark.parametrize(
+    ("text", "passed"),
+    [
+        (r"$$T = \half mv^2$$ $$2T = mv^2$$", True),
+        (r"$$\eps = 2a$$ $$\epsilon = 3a$$", False),
+        (r"$$L = \half m\dot x^2$$ $$\frac{\del L}{\del\dot x} = m\dot x$$", True),
+        (r"\def\half{3} $$T = \half mv^2$$ $$2T = 6mv^2$$", True),
+    ],
+)
+def test_macros_that_all_know_need_no_definition(text, passed):
+    assert judged(text)[-1].outcome.passed is passed
 
 
 def test_once_the_time_is_up_the_rest_is_open_and_says_so():

@@ -36,6 +36,7 @@ def names(source, **how):
         (r"\begin{defi}$a$\end{defi} \begin{tikzpicture}$a$\end{tikzpicture} $a$", [(1,), ()]),
         ("Exercise 1. $a$\n\n(a) $a$\n\n(b) $a$\n\nExercise 2. $a$", [(1,), (1, 2), (1, 3), (4,)]),
         ("Case 1: $a$\n\nCase 2: $a$", [(1,), (2,)]),
+        ("\\section{A}\n    a) $a$\n\n    b) $a$", [(1, 2), (1, 3)]),
         ("$$a\n- b$$ $a$\n`\n# no\n` $a$", [(), (), ()]),
     ],
 )
@@ -92,6 +93,9 @@ CUES = {
     "La vitesse s'obtient pour $x=0$:\n$$v=u$$": ["MOMENT", "MOMENT"],
     "Die Höhe ergibt sich für $x=0$.": ["DERIVED MOMENT"],
     "For $a=0$ we have $b=c$": ["CASE", "DERIVED"],
+    "If a wheel turns then $a=b$": ["CASE DERIVED"],
+    "For $a\\ne0$ and $b=0$": ["CONDITION", "CASE"],
+    "Setting H = E: $$a=b$$": ["CASE"],
     "Without friction, $a=0$ and\n$$b=c$$": ["CASE", ""],
     "On the horizontal, $a=0$. On the other hand, $b=c$": ["CASE", "GENERAL"],
     "We look at $$x=y$$ The place is at $s=1$.": ["", ""],
