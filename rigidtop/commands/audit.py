@@ -17,7 +17,7 @@ from rigidtop.errors import RigidtopError
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.commands.findings import Finding
-    from rigidtop.mark.audited import Audited
+    from rigidtop.mark.numbered import Copy
     from rigidtop.read.macros import Macros
     from rigidtop.read.walk import Formula
     from rigidtop.report.annotated import Formula as Shown
@@ -71,10 +71,11 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int:
-    from rigidtop.commands.findings import absent, of_claim, of_place, of_rows, summary
+    from rigidtop.commands.findings import absent, of_claim, of_place, of_rows, placing, summary
+    from rigidtop.commands.mark import subject_of
     from rigidtop.judge.text import judged
-    from rigidtop.mark.audit import SECONDS, audit
-    from rigidtop.mark.audited import missing
+    from rigidtop.mark.held import held
+    from rigidtop.mark.numbered import SECONDS, Numbers, copies, in_its_letters, missing
     from rigidtop.read.document import problems
     from rigidtop.read.project import left_out, macros_of, sources, whole
     from rigidtop.read.walk import places
@@ -87,41 +88,37 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
         if output is not None and _is_same(output, each.path):
             which = "the file that is audited" if each is files[0] else "a file that it takes in"
             raise RigidtopError(f"{output} is {which}: write the page elsewhere")
-    pages, notation = collection.pages, collection.notation
-    # What the built-in lecture prints has checks of its own.
-    lecture = collection.lecture if collection.folder is not None else None
-    audited = _of_collection(
-        audit(source, pages, notation, None, SECONDS, collection.letters, lecture)
-    )
-    numbered = {formula.start for each in audited for formula in each.group.formulas}
+    subject = subject_of(collection)
     place = places(source)
     rows = judged(text.text, macros, until)
-    if audited and collection.folder is None:
-        from rigidtop.mark.held import held
-        from rigidtop.mark.task import top
-
-        rows = held(rows, top(), until)
+    numbers = Numbers(collection.pages, subject, collection.letters)
+    found = copies(rows, text.text, numbers, macros, until)
+    audited = in_its_letters(found, subject)
+    told = {line.row.number for each in audited for line in each.lines}
+    others = [row for row in rows if row.number not in told]
+    if audited:
+        others = [*held(others, subject, until)]
     findings = [
-        *map(of_claim, audited),
+        *(of_claim(each, placing(text, files[0])) for each in audited),
         *(of_place(place(p.position)[0], p.reason) for p in problems(source) if not p.skipped),
         *(
             of_place(places(each.text)(at)[0], why, each.path.name if len(files) > 1 else "")
             for each in files
             for at, why in left_out(each, files)
         ),
-        *(each for each in of_rows(rows, text, files[0]) if each.formula not in numbered),
+        *of_rows(others, rows, text, files[0]),
     ]
     if not findings:
         raise RigidtopError(f"{path}: no formulas between dollars or the like that say something")
-    findings += map(absent, missing(audited, pages))
+    findings += map(absent, missing(audited, collection.pages))
     if output is not None:
         from rigidtop.report.annotated import write
         from rigidtop.terminal.files import write_whole
 
         marks = [*_of_claims(source, audited, macros), *_wrong(source, findings, macros)]
-        others = [f"{x.title}: {x.verdict}: {_why(x)}" for x in findings if _is_beside(x)]
+        beside = [f"{x.title}: {x.verdict}: {_why(x)}" for x in findings if _is_beside(x)]
         formulas = _others(source, marks, macros)
-        page = write(path.name, source, formulas, marks, summary(findings), others)
+        page = write(path.name, source, formulas, marks, summary(findings), beside)
         write_whole(output, page.encode())
     if options.json:
         print_json([each.record for each in findings])
@@ -135,13 +132,6 @@ def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int
 def _is_same(one: Path, other: Path) -> bool:
     """Whether two names, or a link, are one file."""
     return one.resolve() == other.resolve() or (one.exists() and one.samefile(other))
-
-
-def _of_collection(audited: tuple[Audited, ...]) -> tuple[Audited, ...]:
-    """What claims speak of: the numbers that they have; none in a file in other letters."""
-    known = tuple(each for each in audited if each.judgement is not None)
-    foreign = any("no symbol" in placed.ruling.problem for each in known for placed in each.placed)
-    return known if any(each.passed for each in known) or not foreign else ()
 
 
 # --- The terminal --------------------------------------------------------------------------------
@@ -223,7 +213,7 @@ def _few(names: Sequence[str], most: int = MOST_OPEN) -> str:
 _OPENING = re.compile(r"(?:\$\$|\$|\\\(|\\\[|\\begin\{\w+\*?\})$")
 
 
-def _of_claims(source: str, audited: Sequence[Audited], macros: Macros) -> Iterator[Mark]:
+def _of_claims(source: str, audited: Sequence[Copy], macros: Macros) -> Iterator[Mark]:
     """The numbered equations of the collection."""
     from rigidtop.report.annotated import Mark
 
@@ -235,7 +225,7 @@ def _of_claims(source: str, audited: Sequence[Audited], macros: Macros) -> Itera
             start=_opening(source, formulas[0]),
             end=behind.end() if behind else end,
             number=each.number,
-            line=each.line,
+            line=each.lines[0].row.line,
             verdict=each.verdict,
             passed=each.passed,
             note=each.note,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from functools import cache
@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, UNREAD
 
 if TYPE_CHECKING:
+    from rigidtop.judge.outcome import Outcome
     from rigidtop.judge.text import Row
-    from rigidtop.mark.audited import Audited
+    from rigidtop.mark.numbered import Copy
     from rigidtop.proof.page import Claim
     from rigidtop.read.project import Source, Whole
     from rigidtop.tree.statement import Statement, Unread
@@ -114,37 +115,36 @@ def label(name: str, longest: int = 24) -> str:
 # --- What is found -------------------------------------------------------------------------------
 
 
-def of_claim(each: Audited) -> Finding:
+def of_claim(each: Copy, place: Placing) -> Finding:
     """What becomes of a numbered equation of the collection."""
     from rigidtop.report.records import record
-    from rigidtop.typeset.text import text
 
     more: dict[str, Any] = {
-        "equations": [
-            _equation(
-                *(x.line, x.column, x.verdict, x.ruling.problem),
-                text(x.equation, "printed") if x.equation is not None else None,
-            )
-            for x in each.placed
-        ]
+        "slip": "; ".join(filter(None, (line.outcome.slip for line in each.lines))),
+        "equations": [_equation(x.row, x.outcome, place) for x in each.lines],
     }
     if each.judgement is not None:
         judged = record(each.judgement)
         more |= {key: judged[key] for key in ("reference", "assumptions")}
-    passed = each.passed or (False if each.verdict == FALSE else None)
-    wrong = [x.equation for x in each.placed if x.ruling.wrong and x.equation is not None]
-    written = ", ".join(text(equation, "printed") for equation in wrong)
-    place = Place(each.line)
-    said = each.number, place, each.verdict, each.note, passed
-    return Finding(Of.CLAIM, *said, written=written, more=more)
+    wrong = [_in_words(x.row.statement) or "" for x in each.lines if not x.as_good]
+    return Finding(
+        Of.CLAIM,
+        each.number,
+        place(each.lines[0].row.position)[0],
+        each.verdict,
+        each.note,
+        each.passed or (False if each.verdict == FALSE else None),
+        written=", ".join(filter(None, wrong)),
+        more=more,
+    )
 
 
-def _equation(
-    line: int, column: int, verdict: str, problem: str, read: str | None
-) -> dict[str, Any]:
-    """The record of an equation that was read, None where it was not."""
-    place = {"line": line, "column": column}
-    return {**place, "read": read, "verdict": verdict, "problem": problem}
+def _equation(row: Row, outcome: Outcome, place: Placing) -> dict[str, Any]:
+    """The record of a statement; what was read is None where it was not."""
+    at, column = place(row.position)
+    problem = outcome.why if outcome.verdict in (UNDECIDED, UNREAD) else ""
+    told = {"read": _in_words(row.statement), "verdict": outcome.verdict, "problem": problem}
+    return {"line": at.line, "column": column, **told}
 
 
 def of_place(line: int, reason: str, file: str = "") -> Finding:
@@ -156,8 +156,11 @@ def absent(claim: Claim) -> Finding:
     return Finding(Of.ABSENT, claim.name, None, "absent", "not in the file", None, display=False)
 
 
-def of_rows(rows: Sequence[Row], whole: Whole, top: Source) -> Iterator[Finding]:
-    """What becomes of each statement of the files that belong together, in order."""
+Placing = Callable[[int], tuple[Place, int]]
+"""What tells the line and the column of a position in the files that belong together."""
+
+
+def placing(whole: Whole, top: Source) -> Placing:
     from rigidtop.read.walk import places
 
     line_of = cache(lambda source: places(source.text))
@@ -171,19 +174,29 @@ def of_rows(rows: Sequence[Row], whole: Whole, top: Source) -> Iterator[Finding]
             return Place(line, cell=cell), column
         return Place(line, source.path.name if several else ""), column
 
-    above = {row.number: row for row in rows}
+    return place
+
+
+def of_rows(
+    rows: Sequence[Row], above: Sequence[Row], whole: Whole, top: Source
+) -> Iterator[Finding]:
+    """What becomes of some statements of the files that belong together, in order.
+
+    `above` are all of them.
+    """
+    place, named = placing(whole, top), {row.number: row for row in above}
     names = _names(rows, whole.text)
     for row in rows:
-        at, column = place(row.position)
-        outcome, read = row.outcome, _in_words(row.statement)
+        outcome = row.outcome
         source, start = whole.origin(row.passage.start)
-        others = [above[number] for number in sorted(outcome.rests_on) if number in above]
-        problem = outcome.why if outcome.verdict in (UNDECIDED, UNREAD) else ""
+        others = [named[number] for number in sorted(outcome.rests_on) if number in named]
         yield Finding(
             Of.FILE,
-            *(names[row.number], at, outcome.verdict, outcome.why, outcome.passed),
+            names[row.number],
+            place(row.position)[0],
+            *(outcome.verdict, outcome.why, outcome.passed),
             display=row.display or bool(names[row.number]) or outcome.passed is False,
-            written=read or "",
+            written=_in_words(row.statement) or "",
             right=_right(outcome.right),
             against=tuple((place(x.position)[0], _in_words(x.statement) or "") for x in others),
             formula=start if source is top else -1,
@@ -191,7 +204,7 @@ def of_rows(rows: Sequence[Row], whole: Whole, top: Source) -> Iterator[Finding]
                 "label": names[row.number],
                 "slip": outcome.slip,
                 "right": _right(outcome.right),
-                "equations": [_equation(at.line, column, outcome.verdict, problem, read)],
+                "equations": [_equation(row, outcome, place)],
             },
         )
 

@@ -18,6 +18,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.terminal.files import LONGEST, text_of
 
 if TYPE_CHECKING:
+    from rigidtop.collection import Collection
     from rigidtop.mark.marking import Marking
     from rigidtop.mark.task import Subject
 
@@ -134,11 +135,19 @@ def _with_lines(name: str, marked: tuple[str, str, Marking]) -> tuple[str, str, 
 def _subject(folder: str) -> Subject:
     """A collection of one's own as what answers are judged by."""
     from rigidtop.collection import opened
-    from rigidtop.mark.task import Subject
 
     with opened([f"{folder}/"]) as (collection, _):
-        families = tuple((model,) for model in collection.models)
-        return Subject(collection.lecture, families, collection.notation)
+        return subject_of(collection)
+
+
+def subject_of(collection: Collection) -> Subject:
+    """A collection, each of its models a family of its own; the built-in one is the top."""
+    from rigidtop.mark.task import Subject, top
+
+    if collection.folder is None:
+        return top()
+    families = tuple((model,) for model in collection.models)
+    return Subject(collection.lecture, families, collection.notation)
 
 
 def _marked(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from rigidtop.judge import approximations, bounds, equality, roots
@@ -175,7 +177,24 @@ class Judge:
                 outcomes.append(outcome)
         except (UnclearError, UnknownFunctionError) as why:
             return Outcome(UNDECIDED, str(why)), before.knowing(letters_in(statement))
-        return joint(outcomes), context.knowing(letters_in(statement))
+        wrong, context = self._braced(statement, situation, context)
+        return joint([*outcomes, *wrong]), context.knowing(letters_in(statement))
+
+    def _braced(
+        self, statement: Statement, situation: Situation, context: Context
+    ) -> tuple[list[Outcome], Context]:
+        """What is false of what stands below braces, and the context in which the rest holds."""
+        wrong = []
+        for brace in braces(statement):
+            name = brace.label
+            assert name is not None
+            with suppress(UnclearError, UnknownFunctionError):
+                question = self._question(name, brace.of, situation, context, True)
+                outcome, context = _related(question, "=")
+                if outcome.verdict == FALSE:
+                    where = f"{in_words(name)} below a brace: {outcome.why}"
+                    wrong.append(replace(outcome, why=where))
+        return wrong, context
 
     def _question(
         self, left: Node, right: Node, at: Situation, context: Context, inner: bool
@@ -184,6 +203,15 @@ class Judge:
             left, right = n.Rate(left), ZERO
         premises = Premises(context, self.memory, at.instant)
         return Question(left, right, at, premises, self.patience, inner)
+
+
+def braces(statement: Statement) -> Iterator[n.Braced]:
+    """The braces of a statement below which stands what the part is equal to, and no count."""
+    found = (x for side in statement.sides for x in n.walked(side) if isinstance(x, n.Braced))
+    for brace in found:
+        is_count = isinstance(brace.label, n.Number) and brace.label != ZERO
+        if brace.label is not None and not is_count:
+            yield brace
 
 
 def _with_open(statement: Statement, at: Situation, context: Context) -> Context:

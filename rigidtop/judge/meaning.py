@@ -508,9 +508,8 @@ def _power(meaning: Meaning, node: n.Power) -> Value:
             if exponent.is_Integer and exponent.is_even and exponent > 0:
                 return base.dot(base) ** (exponent / 2)
             raise UnclearError("a power of a vector")
-        if not exponent.is_Integer:
+        if not exponent.is_Integer or base.rows != base.cols:
             raise UnclearError("a power of a matrix")
-        return base**exponent
     return base**exponent
 
 

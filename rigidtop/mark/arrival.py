@@ -50,7 +50,7 @@ def is_reached(goal: Statement, said: Sequence[Statement], contexts: Iterable[Co
     contexts = tuple(contexts)
     given = frozenset().union(*(context.given for context in contexts))
     named = islice(_in_names_of(goal, said, given), MOST_NAMES)
-    return any(_comes_to(goal, x, context) for x in (said, *named) for context in contexts)
+    return any(comes_to(goal, x, context) for x in (said, *named) for context in contexts)
 
 
 def _in_names_of(
@@ -91,7 +91,8 @@ def _bare(side: Node) -> Node:
     return n.mapped(side, n.ungrouped)
 
 
-def _comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> bool:
+def comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> bool:
+    """Whether what was said comes to a statement in a context, in the same names."""
     own = {x: d for x, d in context.definitions.items() if d.number >= 0}
     names = _names_in(goal, context)
     names |= _also_called(_letters(goal) | names, sound)

@@ -17,8 +17,11 @@ import rigidtop.mark
 import rigidtop.read
 from rigidtop.cli import main
 from rigidtop.derivations import PAGES
+from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
-from rigidtop.mark.audit import audit
+from rigidtop.judge.text import judged
+from rigidtop.mark.numbered import Numbers, copies
+from rigidtop.mark.task import top
 from rigidtop.read import document, tex, walk
 from rigidtop.read.equations import DEEPEST
 from rigidtop.read.equations import equations as read
@@ -327,19 +330,19 @@ def test_a_long_file_is_audited_annotated_and_read_in_time(name, tmp_path, capsy
     assert time.process_time() - begun < 2 * PATIENCE
 
 
-def test_what_is_not_judged_or_read_in_time_says_so():
+NUMBERS = Numbers(PAGES, top(), LETTERS)
+
+
+def test_what_is_not_compared_in_time_is_left_out():
     source = "$$T = V$$ (3.57)\n\n$$T = V$$ (3.44)\n"
-    found = audit(source, PAGES, seconds=-1)
-    assert [(each.verdict, each.passed, each.note) for each in found] == [
-        ("unread", False, "not judged: the time for the file was over")
-    ] * 2
+    assert copies(judged(source), source, NUMBERS, until=0.0) == ()
 
 
 def test_under_one_number_only_so_many_lines_are_judged():
-    [found] = audit("$$" + "T = V\\\\" * 60 + "$$ (3.57)", PAGES)
+    source = "$$" + "T = V\\\\" * 60 + "$$ (3.57)"
+    [found] = copies(judged(source), source, NUMBERS)
     assert not found.passed
     assert "more than 50 lines under one number" in found.note
-    assert len(found.placed) == 51
 
 
 def test_standard_input_has_an_end(monkeypatch, capsys):
