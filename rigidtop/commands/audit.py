@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import re
 import sys
-import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,6 +16,7 @@ from rigidtop.errors import RigidtopError
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.commands.findings import Finding
+    from rigidtop.commands.notes import Notes
     from rigidtop.mark.numbered import Copy
     from rigidtop.read.macros import Macros
     from rigidtop.read.walk import Formula
@@ -49,84 +49,89 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "file",
         nargs="+",
         metavar="FILE",
-        help="the notes, Markdown with $…$, LaTeX with its \\input files, or a notebook; before it "
+        help="notes, Markdown with $…$, LaTeX with its \\input files, or a notebook; before them "
         "a folder, if they are to be judged by the collection there",
     )
     parser.add_argument(
         "-o", "--output", metavar="HTML", help="write the notes with verdicts as a page"
     )
+    parser.add_argument(
+        "--format",
+        choices=("github", "sarif", "junit"),
+        help="print what is found as a code host, an editor or a test runner reads it",
+    )
 
 
 def run(options: argparse.Namespace) -> int:
     """Audit the file and print what was found; 0 if nothing is wrong."""
-    from rigidtop.collection import built_in, opened
+    from rigidtop.collection import opened
 
-    *folders, name = options.file
+    folders = [name for name in options.file if Path(name).is_dir()]
+    files = [Path(name) for name in options.file if name not in folders]
+    if not files:
+        raise RigidtopError(f"{folders[0]} is a collection, no notes: these stand behind it")
     if len(folders) > 1:
-        raise RigidtopError(f"one file at a time: {len(options.file)} names are too many")
-    if not folders:
-        return _run(Path(name), built_in(), options)
-    with opened([f"{folders[0]}/"]) as (collection, _):
-        return _run(Path(name), collection, options)
+        raise RigidtopError(f"one collection at a time: {' and '.join(folders)} are two")
+    if len(files) > 1 and (options.json or options.output):
+        asked = "--json" if options.json else "--output"
+        raise RigidtopError(f"one file at a time with {asked}: {len(files)} names are too many")
+    with opened([f"{folder}/" for folder in folders]) as (collection, _):
+        return _run(files, collection, options)
 
 
-def _run(path: Path, collection: Collection, options: argparse.Namespace) -> int:
-    from rigidtop.commands.findings import absent, of_claim, of_place, of_rows, placing, summary
-    from rigidtop.commands.mark import subject_of
-    from rigidtop.judge.text import judged
-    from rigidtop.mark.held import held
-    from rigidtop.mark.numbered import SECONDS, Numbers, copies, in_its_letters, missing
-    from rigidtop.read.document import problems
-    from rigidtop.read.project import left_out, macros_of, sources, whole
-    from rigidtop.read.walk import places
+def _run(paths: Sequence[Path], collection: Collection, options: argparse.Namespace) -> int:
+    from rigidtop.commands.formats import FORMATS
 
-    until = time.process_time() + SECONDS
-    files = sources(path)
-    source, text, macros = files[0].text, whole(files), macros_of(files)
     output = Path(options.output) if options.output else None
-    for each in files:
-        if output is not None and _is_same(output, each.path):
-            which = "the file that is audited" if each is files[0] else "a file that it takes in"
-            raise RigidtopError(f"{output} is {which}: write the page elsewhere")
-    subject = subject_of(collection)
-    place = places(source)
-    rows = judged(text.text, macros, until)
-    numbers = Numbers(collection.pages, subject, collection.letters)
-    found = copies(rows, text.text, numbers, macros, until)
-    audited = in_its_letters(found, subject)
-    told = {line.row.number for each in audited for line in each.lines}
-    others = [row for row in rows if row.number not in told]
-    if audited:
-        others = [*held(others, subject, until)]
-    findings = [
-        *(of_claim(each, placing(text, files[0])) for each in audited),
-        *(of_place(place(p.position)[0], p.reason) for p in problems(source) if not p.skipped),
-        *(
-            of_place(places(each.text)(at)[0], why, each.path.name if len(files) > 1 else "")
-            for each in files
-            for at, why in left_out(each, files)
-        ),
-        *of_rows(others, rows, text, files[0]),
-    ]
-    if not findings:
-        raise RigidtopError(f"{path}: no formulas between dollars or the like that say something")
-    findings += map(absent, missing(audited, collection.pages))
+    audits = [*_audits(paths, output, collection)]
     if output is not None:
-        from rigidtop.report.annotated import write
         from rigidtop.terminal.files import write_whole
 
-        marks = [*_of_claims(source, audited, macros), *_wrong(source, findings, macros)]
-        beside = [f"{x.title}: {x.verdict}: {_why(x)}" for x in findings if _is_beside(x)]
-        formulas = _others(source, marks, macros)
-        page = write(path.name, source, formulas, marks, summary(findings), beside)
-        write_whole(output, page.encode())
+        write_whole(output, _page(audits[0]).encode())
     if options.json:
-        print_json([each.record for each in findings])
+        print_json([each.record for each in audits[0].findings])
+    elif options.format:
+        print(FORMATS[options.format](audits))
     else:
-        _print(findings)
+        for k, notes in enumerate(audits):
+            if len(paths) > 1:
+                print(f"{notes.source.path}\n" if k == 0 else f"\n{notes.source.path}\n")
+            tell(notes.findings)
         if output is not None:
             print(output)
-    return FAILED if any(each.is_wrong for each in findings) else 0
+    return FAILED if any(notes.is_wrong for notes in audits) else 0
+
+
+def _audits(paths: Sequence[Path], output: Path | None, collection: Collection) -> Iterator[Notes]:
+    """The notes of each file; of several those are left out in which no formula stands."""
+    from rigidtop.commands.notes import NoFormulasError, audited
+    from rigidtop.read.project import sources
+
+    for path in paths:
+        files = sources(path)
+        for each in files:
+            if output is not None and _is_same(output, each.path):
+                which = (
+                    "the file that is audited" if each is files[0] else "a file that it takes in"
+                )
+                raise RigidtopError(f"{output} is {which}: write the page elsewhere")
+        try:
+            yield audited(files, collection)
+        except NoFormulasError:
+            if len(paths) == 1:
+                raise
+
+
+def _page(notes: Notes) -> str:
+    """The notes with verdicts beside their formulas, as HTML."""
+    from rigidtop.commands.findings import summary
+    from rigidtop.report.annotated import write
+
+    source, findings, macros = notes.source.text, notes.findings, notes.macros
+    marks = [*_of_claims(source, notes.copies, macros), *_wrong(source, findings, macros)]
+    beside = [f"{x.title}: {x.verdict}: {_why(x)}" for x in findings if _is_beside(x)]
+    formulas = _others(source, marks, macros)
+    return write(notes.source.path.name, source, formulas, marks, summary(findings), beside)
 
 
 def _is_same(one: Path, other: Path) -> bool:
@@ -143,7 +148,7 @@ MOST_AGAINST = 3
 """So many lines are quoted of those that something wrong contradicts, the last ones."""
 
 
-def _print(findings: Sequence[Finding]) -> None:
+def tell(findings: Sequence[Finding]) -> None:
     """What is wrong, what is known of the other formulas, what is open and why, the counts."""
     from rigidtop.commands.check import VERDICT_COLORS
     from rigidtop.commands.findings import Of, label, summary

@@ -24,6 +24,7 @@ from rigidtop.commands import (
     read,
     simulate,
     sweep,
+    watch,
     web,
 )
 
@@ -31,6 +32,7 @@ COMMANDS = {
     "list": listing,
     "check": check,
     "audit": audit,
+    "watch": watch,
     "derive": derive,
     "map": map,
     "lecture": lecture,

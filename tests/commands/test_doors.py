@@ -1,0 +1,105 @@
+"""What an audit finds, told to code hosts, editors and test runners, and told again on saving."""
+
+import json
+import threading
+import time
+from xml.etree import ElementTree
+
+import pytest
+
+from rigidtop.cli import main
+from rigidtop.commands.watch import saved
+
+BOB = r"""A bob has the Lagrangian
+
+$$L = \tfrac12 m l^2\dot\theta^2 + m g l\cos\theta$$
+
+and so $p = 100\,\%$ and
+
+$$l\ddot\theta = g\sin\theta.$$
+"""
+
+
+@pytest.fixture
+def bob(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "my bob, new.md").write_text(BOB, "utf-8")
+    return "my bob, new.md"
+
+
+def told(capsys, file, format):
+    assert main(["audit", file, "--format", format]) == 1
+    return capsys.readouterr().out
+
+
+def test_a_workflow_command_for_what_is_wrong(bob, capsys):
+    [line] = told(capsys, bob, "github").splitlines()
+    assert line == (
+        "::error file=my bob%2C new.md,line=7,title=line 7 is wrong::it holds with another sign"
+        "%0Awritten: l θ̈ = g sin θ%0Aright: l θ̈ = −g sin θ"
+        "%0Aagainst line 3: L = ½ m l² θ̇² + m g l cos θ"
+    )
+
+
+def test_sarif_has_the_place_and_what_it_contradicts(bob, capsys):
+    found = json.loads(told(capsys, bob, "sarif"))
+    [result] = found["runs"][0]["results"]
+    place = result["locations"][0]["physicalLocation"]
+    assert found["version"] == "2.1.0"
+    assert place == {
+        "artifactLocation": {"uri": "my%20bob%2C%20new.md"},
+        "region": {"startLine": 7},
+    }
+    [against] = result["relatedLocations"]
+    assert against["physicalLocation"]["region"] == {"startLine": 3}
+
+
+def test_a_test_case_for_each_formula(bob, capsys):
+    [suite] = ElementTree.fromstring(told(capsys, bob, "junit"))
+    assert (suite.get("tests"), suite.get("failures"), suite.get("skipped")) == ("3", "1", "2")
+    [failed] = [case.get("name") for case in suite if case.find("failure") is not None]
+    assert failed == "line 7"
+
+
+def test_every_format_has_what_json_has(bob, capsys):
+    assert main(["audit", bob, "--json"]) == 1
+    wrong = [x["line"] for x in json.loads(capsys.readouterr().out) if x["passed"] is False]
+    assert wrong == [7]
+    assert [f"line={x}," in told(capsys, bob, "github") for x in wrong] == [True]
+
+
+def test_several_files_are_told_one_by_one(bob, tmp_path, capsys):
+    (tmp_path / "README.md").write_text("No formulas.", "utf-8")
+    (tmp_path / "right.md").write_text(BOB.replace("g\\sin\\theta.", "-g\\sin\\theta."), "utf-8")
+    names = [bob, "README.md", "right.md"]
+    assert main(["audit", *names]) == 1
+    shown = capsys.readouterr().out
+    assert shown.startswith(f"{bob}\n\nline 7 is wrong")
+    assert "\n\nright.md\n\nline " in shown
+    assert main(["audit", *names, "--format", "sarif"]) == 1
+    assert len(json.loads(capsys.readouterr().out)["runs"][0]["results"]) == 1
+    assert main(["audit", *names, "--json"]) == 2
+    assert "one file at a time with --json: 3 names are too many" in capsys.readouterr().err
+    assert main(["audit", "README.md"]) == 2
+
+
+def test_each_change_is_seen_once(bob, tmp_path):
+    path, seen = tmp_path / bob, []
+
+    def watch():
+        for _ in zip(range(2), saved(path, pause=0.01), strict=False):
+            seen.append(path.read_text("utf-8"))
+
+    watching = threading.Thread(target=watch)
+    watching.start()
+    while not seen:
+        time.sleep(0.01)
+    path.with_suffix(".new").write_text("$a = b$", "utf-8")
+    path.with_suffix(".new").replace(path)
+    watching.join(10)
+    assert seen == [BOB, "$a = b$"]
+
+
+def test_what_is_not_there_is_not_watched(capsys):
+    assert main(["watch", "nothing.md"]) == 2
+    assert "rigidtop watch: " in capsys.readouterr().err
