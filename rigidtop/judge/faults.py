@@ -85,10 +85,8 @@ def slip(
     patience = question.patience
     if question.worlds.count < FEWEST or patience.seconds <= 0:
         return None
-    begun = time.process_time()
-    until = begun + min(SLIP_SECONDS, patience.seconds)
-    change = next(_right_changes(question, compared, letter, most, until), None)
-    patience.seconds -= time.process_time() - begun
+    with patience.search(SLIP_SECONDS) as until:
+        change = next(_right_changes(question, compared, letter, most, until), None)
     if change is None:
         return None
     right = f"{latex(change.left)} {relation} {latex(change.right)}"
@@ -293,7 +291,11 @@ def _solved_for(tops: Sequence[Symbol], equations: Sequence[Expr], gap: Expr) ->
 
 def contradiction(question: Question) -> Outcome | None:
     """A statement above that, with one change, lets this one hold; nothing follows from it."""
-    until = time.process_time() + SLIP_SECONDS / 2
+    with question.patience.search(SLIP_SECONDS / 2) as until:
+        return _contradiction(question, until)
+
+
+def _contradiction(question: Question, until: float) -> Outcome | None:
     context = question.context
     names = [
         (letter, definition)

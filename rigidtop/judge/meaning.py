@@ -409,6 +409,8 @@ class Meaning:
 def particles(names: frozenset[str], *sides: Node, most: int = PARTICLES) -> list[dict[str, int]]:
     """Which particle each index is that stands outside of all sums, for all cases."""
     bound: list[dict[str, int]] = [{}]
+    if not names:
+        return bound
     for index in sorted({x for side in sides for x in _free_indices(side, names)}):
         bound = [{**each, index: k} for each in bound for k in range(most)]
     return bound
@@ -445,22 +447,19 @@ def function_name(letter: Letter) -> str:
     return "\x1f".join((letter.base, letter.sub, letter.mark))
 
 
-@lru_cache(maxsize=20_000)
-def _unknowns(expression: Expr) -> frozenset[Expr]:
-    return frozenset(expression.atoms(AppliedUndef, sympy.Derivative, sympy.Subs))
-
-
 def plain(expressions: Sequence[Expr]) -> list[Expr]:
     """Unknown functions and their slopes as numbers of their own, alike in all expressions."""
-    atoms = frozenset().union(*map(_unknowns, expressions))
-    if not atoms:
-        return list(expressions)
-    order = sorted(atoms, key=lambda x: (-x.count_ops(), sympy.default_sort_key(x)))
-    made = list(expressions)
-    for atom in order:
-        number = Symbol(f"f({sympy.srepr(atom)})", real=True)
-        made = [x.xreplace({atom: number}) for x in made]
-    return made
+    return [_plain(sympy.sympify(x)) for x in expressions]
+
+
+@lru_cache(maxsize=100_000)
+def _plain(expression: Expr) -> Expr:
+    """The same; each part of an expression is looked at once."""
+    if isinstance(expression, (AppliedUndef, sympy.Derivative, sympy.Subs)):
+        return Symbol(f"f({sympy.srepr(expression)})", real=True)
+    parts = [_plain(x) for x in expression.args]
+    same = all(x is y for x, y in zip(parts, expression.args, strict=True))
+    return expression if same else expression.func(*parts)
 
 
 def pairs(left: Value, right: Value) -> list[tuple[Expr, Expr]]:
