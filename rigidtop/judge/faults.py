@@ -138,7 +138,7 @@ def _says_something(question: Question, change: Change) -> bool:
     name, _ = named(change.left)
     if name is not None and name in n.letters(change.right) - n.letters(question.right):
         return False  # x = x says nothing
-    if _is_exchanged(question, change):
+    if _is_exchanged(question, change) or _is_renamed(question, change):
         return False
     letter, _ = named(question.left)
     if question.at.inline and letter is not None and change.left != question.left:
@@ -149,6 +149,13 @@ def _says_something(question: Question, change: Change) -> bool:
     # A chain may not end with what it begins with.
     ends = isinstance(question.right, Letter) and change.right == question.context.head
     return not ends
+
+
+def _is_renamed(question: Question, change: Change) -> bool:
+    """Whether sides that speak of different letters are made to speak of the same: |U|² = U²."""
+    before = n.letters(question.left), n.letters(question.right)
+    behind = n.letters(change.left), n.letters(change.right)
+    return not before[0] & before[1] and behind[0] == behind[1] != frozenset()
 
 
 def _is_exchanged(question: Question, change: Change) -> bool:

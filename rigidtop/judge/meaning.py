@@ -121,8 +121,19 @@ class Meaning:
         return rate(value, self.moving)
 
     def with_(self, **changes: object) -> Meaning:
-        """The same with something changed; what it uses is noted here too."""
-        return replace(self, **changes)  # type: ignore[arg-type]
+        """The same with something changed; what it uses is noted here too.
+
+        What it has at hand is left behind where a formula means something else.
+        """
+        other = replace(self, **changes)  # type: ignore[arg-type]
+        if "known" not in changes and other.reading != self.reading:
+            other.known = None
+        return other
+
+    @property
+    def reading(self) -> tuple[object, ...]:
+        """What a formula means depends on, besides the context."""
+        return self.held, self.sign, self.bound, self.chosen
 
     # --- letters ---------------------------------------------------------------------------------
 
@@ -615,6 +626,8 @@ def _rate_of(meaning: Meaning, node: n.Rate) -> Value:
             raise UnclearError(f"a rate seen from {node.frame}")
         vector = meaning.value(node.of)
         turning = meaning.value(Letter("ω", bold=True))
+        if not isinstance(vector, MatrixBase) or vector.shape != (3, 1):
+            raise UnclearError(f"a rate seen from {node.frame} of what is no vector")
         for _ in range(node.order):
             vector = meaning.rate(vector) - turning.cross(vector)
         return vector

@@ -114,8 +114,9 @@ def law(question: Question) -> Judgement | None:
     """An equation of motion of what no law moves: it fixes a highest rate that was free."""
     if not question.worlds.count or question.inner or question.at.instant or question.at.closed:
         return None
-    head = question.left.of if isinstance(question.left, n.Rate) else question.left
-    if isinstance(head, Letter) and head in question.context.definitions:
+    sides = (question.left, question.right)
+    heads = {side.of if isinstance(side, n.Rate) else side for side in sides}
+    if any(isinstance(x, Letter) and x in question.context.definitions for x in heads):
         # What stands for something moves as that does, if it is not a law.
         wrong = slip(question)
         if wrong is not None:

@@ -74,6 +74,9 @@ class Worlds:
         if not known.any():
             return None
         extent = size[:, known].max(axis=0, initial=0)  # nothing is compared where all is 0 = 0
+        seen = np.abs(found.values[: 2 * k, known]).max(axis=0, initial=1)
+        if (CLOSE * extent > seen).any():
+            return None if trivially else False  # rounding may hide both sides
         if not trivially and ((extent < _FLOOR) | (extent > _LARGEST)).any():
             return False
         return bool((gap[:, known] <= CLOSE * (size[:, known] + _FLOOR)).all())
