@@ -251,7 +251,7 @@ def _weights(letters: Sequence[Symbol]) -> NDArray[np.float64]:
 def _weight(x: Symbol, letters: Sequence[Symbol]) -> float:
     jet = jet_of(x)
     if jet is None:
-        return 0.3 if x.name.startswith(("t\x1f", "unit ")) else 10.0
+        return 0.3 if x.name.startswith(("t\x1f", "unit ", "part ")) else 10.0
     if _is_parameter(x, letters):
         return 0.3
     return (1.0, 3.0, 10.0, 30.0)[min(jet.order, 3)]
