@@ -300,7 +300,7 @@ class Question:
         """That it follows; its right side is another expression of what the chain begins with."""
         context = self.context
         letter = context.head
-        if letter is not None and letter in context.definitions and self.signs[0] == 1:
+        if isinstance(letter, Letter) and letter in context.definitions and self.signs[0] == 1:
             definition = context.definitions[letter]
             also = (*definition.also, self.right)
             context = context.defining(letter, replace(definition, also=also))

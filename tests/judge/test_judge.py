@@ -68,6 +68,16 @@ TEXTS = r"""
 . m\ddot{\mathbf r} = -k\mathbf r
 + \dot{\mathbf M} = 0
 
+# Newton's law within a chain
+. F = ma = m\ddot x = -kx
++ \ddot x = -\frac kmx
+- \ddot x = \frac kmx
+
+# the sum of forces
+. \sum F = m\ddot y = -mg - b\dot y
++ \ddot y = -g - \frac bm\dot y
+- \ddot y = -g + \frac bm\dot y
+
 # integrals over a body
 . M = \int \rho\,d^3r
 . \mathbf R = \frac1M\int d^3r\,\rho(\mathbf r)\,\mathbf r
