@@ -117,8 +117,8 @@ class Context:
     """What letters are said to be in lines that are left open."""
     little: tuple[frozenset[Letter], ...] = ()
     """Letters that are said to be much smaller than others, together at a time."""
-    head: Letter | None = None
-    """The letter with which the chain begins that is being read."""
+    head: Node | None = None
+    """The letter, or else the side, with which the chain begins that is being read."""
 
     def forgetting(self, letter: Letter) -> Context:
         """Without what a letter stands for."""

@@ -131,4 +131,4 @@ def _may_be_another(question: Question, older: Definition) -> bool:
     # A property, as a moment of inertia, is another body's; what moves is a special motion.
     moves = question.moves(*(x for pair in question.meant for x in pair))
     other = at.supposed and at.inline and not (moves or at.small or at.large)
-    return not within or (not question.inner and (said or other))
+    return not within or (not question.inner and (said or other or at.anew))

@@ -153,7 +153,9 @@ def _one_root(question: Question) -> Judgement | None:
     """One of the two roots of what stands above, with a sign that nothing else says."""
     letter, _ = named(question.left)
     context = question.context
-    if letter is None or letter in context.definitions or question.at.closed or question.inner:
+    free = letter is not None and letter not in context.definitions
+    # A letter that stands for something has a sign, but which way it goes is free.
+    if not (free or isinstance(question.left, n.Rate)) or question.at.closed or question.inner:
         return None
     other = n.mapped(question.right, other_root)
     if other == question.right or len(question.both) != 1:

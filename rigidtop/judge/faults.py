@@ -85,10 +85,8 @@ def slip(
     patience = question.patience
     if question.worlds.count < FEWEST or patience.seconds <= 0:
         return None
-    begun = time.process_time()
-    until = begun + min(SLIP_SECONDS, patience.seconds)
-    change = next(_right_changes(question, compared, letter, most, until), None)
-    patience.seconds -= time.process_time() - begun
+    with patience.search(SLIP_SECONDS) as until:
+        change = next(_right_changes(question, compared, letter, most, until), None)
     if change is None:
         return None
     right = f"{latex(change.left)} {relation} {latex(change.right)}"
@@ -140,7 +138,7 @@ def _says_something(question: Question, change: Change) -> bool:
     name, _ = named(change.left)
     if name is not None and name in n.letters(change.right) - n.letters(question.right):
         return False  # x = x says nothing
-    if _is_exchanged(question, change):
+    if _is_exchanged(question, change) or _is_renamed(question, change):
         return False
     letter, _ = named(question.left)
     if question.at.inline and letter is not None and change.left != question.left:
@@ -151,6 +149,13 @@ def _says_something(question: Question, change: Change) -> bool:
     # A chain may not end with what it begins with.
     ends = isinstance(question.right, Letter) and change.right == question.context.head
     return not ends
+
+
+def _is_renamed(question: Question, change: Change) -> bool:
+    """Whether sides that speak of different letters are made to speak of the same: |U|² = U²."""
+    before = n.letters(question.left), n.letters(question.right)
+    behind = n.letters(change.left), n.letters(change.right)
+    return not before[0] & before[1] and behind[0] == behind[1] != frozenset()
 
 
 def _is_exchanged(question: Question, change: Change) -> bool:
@@ -293,7 +298,11 @@ def _solved_for(tops: Sequence[Symbol], equations: Sequence[Expr], gap: Expr) ->
 
 def contradiction(question: Question) -> Outcome | None:
     """A statement above that, with one change, lets this one hold; nothing follows from it."""
-    until = time.process_time() + SLIP_SECONDS / 2
+    with question.patience.search(SLIP_SECONDS / 2) as until:
+        return _contradiction(question, until)
+
+
+def _contradiction(question: Question, until: float) -> Outcome | None:
     context = question.context
     names = [
         (letter, definition)

@@ -162,7 +162,7 @@ class Judge:
         before = context
         head, _ = named(statement.sides[0])
         if not statement.continues:
-            context = replace(context, head=head)
+            context = replace(context, head=head or statement.sides[0])
         try:
             for k, relation in enumerate(statement.relations):
                 left, right = statement.sides[k : k + 2]

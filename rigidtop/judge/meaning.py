@@ -29,6 +29,9 @@ Value = Any
 PARTICLES = 3
 """Of a sum over particles so many are taken."""
 
+REGION = "∫"
+"""The index of the particles of a body over which an integral is taken, and its letter's mark."""
+
 NODES = 24
 """Places at which the integrand of an integral is taken (Gauss and Legendre)."""
 
@@ -121,8 +124,19 @@ class Meaning:
         return rate(value, self.moving)
 
     def with_(self, **changes: object) -> Meaning:
-        """The same with something changed; what it uses is noted here too."""
-        return replace(self, **changes)  # type: ignore[arg-type]
+        """The same with something changed; what it uses is noted here too.
+
+        What it has at hand is left behind where a formula means something else.
+        """
+        other = replace(self, **changes)  # type: ignore[arg-type]
+        if "known" not in changes and other.reading != self.reading:
+            other.known = None
+        return other
+
+    @property
+    def reading(self) -> tuple[object, ...]:
+        """What a formula means depends on, besides the context."""
+        return self.held, self.sign, self.bound, self.chosen
 
     # --- letters ---------------------------------------------------------------------------------
 
@@ -165,13 +179,19 @@ class Meaning:
         return found
 
     def index_of(self, letter: Letter) -> str:
-        """The index of particles in its name, if it has one that is bound."""
+        """The index of particles in its name, or that of a body in which it differs."""
+        regions = sorted((x for x in self.bound if x.startswith(REGION)), reverse=True)
+        if regions and letter.base in _SPREAD and letter.sub in {"", *"xyz123"}:
+            marks = (x for x in regions if x == REGION or letter.mark.endswith(x[len(REGION) :]))
+            return next(marks, "")
         return next((x for x in self.bound if letter.sub == x or letter.sub.endswith("," + x)), "")
 
-    def free(self, letter: Letter) -> Value:
-        """Numbers of its own for a letter."""
-        index = self.index_of(letter)
+    def free(self, letter: Letter, index: str = "") -> Value:
+        """Numbers of its own for a letter, of one particle if it has an index."""
+        index = index or self.index_of(letter)
         place = (self.bound[index],) if index else ()
+        if index.startswith(REGION) and letter == DENSITY:
+            return _part(MASS, *place) / _part(VOLUME, *place)
         if is_vector(letter):
             fixed = None if letter in self.moving else _basis(letter)
             if fixed is not None:
@@ -200,7 +220,10 @@ class Meaning:
         self.consulted |= known[2]
         return known[0]
 
-    def _unknown(self, letter: Letter, places: Sequence[Node]) -> Expr:
+    def _unknown(self, letter: Letter, places: Sequence[Node]) -> Value:
+        region = next((self.index_of(x) for place in places for x in n.letters(place)), "")
+        if region.startswith(REGION):
+            return self.free(letter, region)
         function = sympy.Function(function_name(letter), real=True)
         return function(*(self.scalar(x) for x in places))
 
@@ -388,7 +411,9 @@ class Meaning:
             raise UnclearError("a sum over many terms")
         return range(PARTICLES)
 
-    def integral(self, node: n.Integral) -> Expr:
+    def integral(self, node: n.Integral) -> Value:
+        if node.upper is None and _is_over_body(node):
+            return self._over_body(node)
         if node.lower is None or node.upper is None or not isinstance(node.by, Letter):
             raise UnclearError("an integral without limits")
         meaning = self.with_(held=self.held | {node.by})
@@ -405,10 +430,40 @@ class Meaning:
         )
         return half * sympy.Add(*terms)
 
+    def _over_body(self, node: n.Integral) -> Value:
+        """The sum over a few particles, each with a mass and a volume of its own."""
+        of = n.ungrouped(node.by)
+        mark = of.mark if isinstance(of, Letter) else "′" * isinstance(of, n.Primed)
+        terms = []
+        for k in range(PARTICLES):
+            there = self.with_(bound={**self.bound, REGION + mark: k})
+            size = _part(MASS if node.by == MASS else VOLUME, k)
+            terms.append(_multiplied([size, there.value(node.of)]))
+        return _added(terms)
+
+
+MASS, VOLUME, DENSITY = Letter("m"), Letter("V"), Letter("ρ")
+_SPREAD = frozenset("rxyzvρ")
+"""Letters of places, velocities and densities, which differ within a body."""
+
+
+def _is_over_body(node: n.Integral) -> bool:
+    """Whether an integral is over places in space, and not over a pressure as in ∫ p dV."""
+    letters = n.letters(node.of)
+    local = not letters or any(x.base in _SPREAD for x in letters)
+    return node.dimension == 3 or node.by == MASS or (node.by in (VOLUME, Letter("τ")) and local)
+
+
+def _part(of: Letter, particle: int) -> Symbol:
+    """The mass or the volume of one particle of a body."""
+    return Symbol(f"part {of.base} {particle}", real=True)
+
 
 def particles(names: frozenset[str], *sides: Node, most: int = PARTICLES) -> list[dict[str, int]]:
     """Which particle each index is that stands outside of all sums, for all cases."""
     bound: list[dict[str, int]] = [{}]
+    if not names:
+        return bound
     for index in sorted({x for side in sides for x in _free_indices(side, names)}):
         bound = [{**each, index: k} for each in bound for k in range(most)]
     return bound
@@ -445,22 +500,19 @@ def function_name(letter: Letter) -> str:
     return "\x1f".join((letter.base, letter.sub, letter.mark))
 
 
-@lru_cache(maxsize=20_000)
-def _unknowns(expression: Expr) -> frozenset[Expr]:
-    return frozenset(expression.atoms(AppliedUndef, sympy.Derivative, sympy.Subs))
-
-
 def plain(expressions: Sequence[Expr]) -> list[Expr]:
     """Unknown functions and their slopes as numbers of their own, alike in all expressions."""
-    atoms = frozenset().union(*map(_unknowns, expressions))
-    if not atoms:
-        return list(expressions)
-    order = sorted(atoms, key=lambda x: (-x.count_ops(), sympy.default_sort_key(x)))
-    made = list(expressions)
-    for atom in order:
-        number = Symbol(f"f({sympy.srepr(atom)})", real=True)
-        made = [x.xreplace({atom: number}) for x in made]
-    return made
+    return [_plain(sympy.sympify(x)) for x in expressions]
+
+
+@lru_cache(maxsize=100_000)
+def _plain(expression: Expr) -> Expr:
+    """The same; each part of an expression is looked at once."""
+    if isinstance(expression, (AppliedUndef, sympy.Derivative, sympy.Subs)):
+        return Symbol(f"f({sympy.srepr(expression)})", real=True)
+    parts = [_plain(x) for x in expression.args]
+    same = all(x is y for x, y in zip(parts, expression.args, strict=True))
+    return expression if same else expression.func(*parts)
 
 
 def pairs(left: Value, right: Value) -> list[tuple[Expr, Expr]]:
@@ -615,6 +667,8 @@ def _rate_of(meaning: Meaning, node: n.Rate) -> Value:
             raise UnclearError(f"a rate seen from {node.frame}")
         vector = meaning.value(node.of)
         turning = meaning.value(Letter("ω", bold=True))
+        if not isinstance(vector, MatrixBase) or vector.shape != (3, 1):
+            raise UnclearError(f"a rate seen from {node.frame} of what is no vector")
         for _ in range(node.order):
             vector = meaning.rate(vector) - turning.cross(vector)
         return vector

@@ -112,10 +112,12 @@ def _solved(question: Question, letter: Letter) -> Node | None:
 
 def law(question: Question) -> Judgement | None:
     """An equation of motion of what no law moves: it fixes a highest rate that was free."""
-    if not question.worlds.count or question.inner or question.at.instant or question.at.closed:
+    within = question.inner and not _is_force(question.context.head)
+    if not question.worlds.count or within or question.at.instant or question.at.closed:
         return None
-    head = question.left.of if isinstance(question.left, n.Rate) else question.left
-    if isinstance(head, Letter) and head in question.context.definitions:
+    sides = (question.left, question.right)
+    heads = {side.of if isinstance(side, n.Rate) else side for side in sides}
+    if any(isinstance(x, Letter) and x in question.context.definitions for x in heads):
         # What stands for something moves as that does, if it is not a law.
         wrong = slip(question)
         if wrong is not None:
@@ -125,6 +127,12 @@ def law(question: Question) -> Judgement | None:
         return None
     outcome = Outcome("premise", "it is taken as it stands", question.rests_on_meaning)
     return outcome, question.context.holding(question.constraint(LAW))
+
+
+def _is_force(head: Node | None) -> bool:
+    """Whether a chain begins with a force, or with the sum of all: F = m a = … is Newton's law."""
+    side = head.of if isinstance(head, n.Total) and not head.index else head
+    return isinstance(side, Letter) and side.base == "F"
 
 
 def force(question: Question) -> Judgement | None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +15,8 @@ from sympy import Expr, Symbol
 
 from rigidtop.judge.jets import jet_of
 from rigidtop.judge.laws import highest
-from rigidtop.judge.program import Array, Program, UnknownFunctionError
-from rigidtop.judge.worlds import Worlds
+from rigidtop.judge.program import Array, Program, Steps, UnknownFunctionError
+from rigidtop.judge.worlds import Worlds, least
 from rigidtop.tree.nodes import Letter
 from rigidtop.tree.plain import plain
 
@@ -123,10 +124,8 @@ def _gap(
 
     What is said to vanish has to be small beside what is scaled.
     """
-    scaled = [worlds.letters.index(x) for x in scaling.letters]
-    points = worlds.points.copy()
-    points[scaled] *= scaling.factor**step
-    settled, holds = _settled(equations, worlds, points, scaled)
+    points, scaled = _scaled(worlds, scaling, step)
+    settled, holds = _settled(tuple(equations), worlds, scaling, step)
     if settled is None or (strictly and not holds):
         return None
     try:
@@ -142,13 +141,23 @@ def _gap(
         return np.asarray(np.abs(at.values[2]) / size, float)
 
 
+def _scaled(worlds: Worlds, scaling: Scaling, step: int) -> tuple[Array, list[int]]:
+    """Numbers that are scaled after some steps, and in which rows they stand."""
+    scaled = [worlds.letters.index(x) for x in scaling.letters]
+    points = worlds.points.copy()
+    points[scaled] *= scaling.factor**step
+    return points, scaled
+
+
+@lru_cache(maxsize=512)
 def _settled(
-    equations: Sequence[Expr], worlds: Worlds, points: Array, scaled: Sequence[int]
+    equations: tuple[Expr, ...], worlds: Worlds, scaling: Scaling, step: int
 ) -> tuple[Array | None, bool]:
     """With the highest rates that the equations give at other numbers, and whether these hold.
 
     Where they do not, other rates move too, but for those that are scaled.
     """
+    points, scaled = _scaled(worlds, scaling, step)
     top = [worlds.letters.index(x) for x in highest(equations)]
     if not equations or not top:
         return points, True
@@ -169,21 +178,20 @@ _STEPS, _PATIENCE = 30, 12
 def _moved(
     equations: Sequence[Expr], worlds: Worlds, points: Array, places: Sequence[int]
 ) -> tuple[Array | None, bool]:
+    steps = Steps(equations)
     for step in range(_STEPS):
-        at = Program(worlds.letters, points, with_slopes=True).values(equations)
+        at = Program(worlds.letters, points, with_slopes=True).followed(steps)
         if not np.isfinite(at.slopes).all():
             return None, False
+        slope = at.slopes[:, places]
+        scale = np.abs(slope).max(axis=1)
+        scale = np.where(scale > 0, scale, np.inf)  # what no such rate can change stays
+        matrix = np.moveaxis(slope / scale[:, None], -1, 0)
+        move = least(matrix, (-at.values / scale).T, 1e-12).T
         points = points.copy()
-        largest = 0.0
-        for k in range(points.shape[1]):
-            slope = at.slopes[:, places, k]
-            scale = np.abs(slope).max(axis=1)
-            scale = np.where(scale > 0, scale, np.inf)  # what no such rate can change stays
-            move = np.linalg.lstsq(slope / scale[:, None], -at.values[:, k] / scale, rcond=1e-12)[0]
-            points[places, k] += move
-            largest = max(
-                largest, float(np.abs(move).max() / (np.abs(points[places, k]).max() + 1e-300))
-            )
+        points[places] += move
+        reached = np.abs(points[places]).max(axis=0) + 1e-300
+        largest = float((np.abs(move).max(axis=0) / reached).max())
         if largest < 1e-13 or (step > _PATIENCE and largest > 0.3):
             break
     at = Program(worlds.letters, points).values(equations)

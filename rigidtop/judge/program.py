@@ -81,22 +81,34 @@ class Program:
     def values(self, expressions: Sequence[Expr]) -> Values:
         """Raises UnknownFunctionError."""
         with np.errstate(all="ignore"):
-            rows = [self._of(sympy.sympify(each)) for each in expressions]
-        shape = (len(expressions), self.points.shape[1])
+            return self._in_rows([self._of(sympy.sympify(each)) for each in expressions])
+
+    def followed(self, steps: Steps) -> Values:
+        """The same of expressions that are evaluated again and again; nothing is looked up."""
+        parts: list[Part] = []
+        with np.errstate(all="ignore"):
+            for node, places in steps.steps:
+                parts.append(self._worked_out(node, [parts[k] for k in places]))
+        return self._in_rows([parts[k] for k in steps.ends])
+
+    def _in_rows(self, rows: Sequence[Part]) -> Values:
+        shape = (len(rows), self.points.shape[1])
         slopes = [self._zero if row[2] is None else row[2] for row in rows]
         return Values(
             np.array([row[0] for row in rows], complex).reshape(shape),
             np.array([row[1] for row in rows], float).reshape(shape),
-            np.array(slopes, complex).reshape(len(expressions), *self._zero.shape),
+            np.array(slopes, complex).reshape(len(rows), *self._zero.shape),
         )
 
     def _of(self, node: Expr) -> Part:
         part = self._known.get(node)
         if part is None:
-            part = self._known[node] = self._worked_out(node)
+            below = [self._of(arg) for arg in node.args]
+            part = self._known[node] = self._worked_out(node, below)
         return part
 
-    def _worked_out(self, node: Expr) -> Part:
+    def _worked_out(self, node: Expr, below: Sequence[Part]) -> Part:
+        """The part that a node is; `below` are those of its arguments."""
         points = self.points.shape[1]
         if node.is_Symbol:
             k = self._at[node]
@@ -108,7 +120,6 @@ class Program:
         if not node.args:
             value = np.full(points, _number(node))
             return value, np.abs(value), None
-        below = [self._of(arg) for arg in node.args]
         if node.is_Add:
             value, size, slope = below[0]
             for other, larger, steeper in below[1:]:
@@ -145,6 +156,26 @@ class Program:
         # The size of a power is that of a product; that of a root or a reciprocal is its own.
         whole = np.all(n.imag == 0) and np.all(n.real >= 1)
         return value, np.where(whole, size**n.real, np.abs(value)), grown
+
+
+class Steps:
+    """The parts of expressions in the order in which they are worked out, each one once.
+
+    Each of the `steps` has the places of its arguments; `ends` are those of the expressions.
+    """
+
+    def __init__(self, expressions: Sequence[Expr]) -> None:
+        self.steps: list[tuple[Expr, tuple[int, ...]]] = []
+        self._places: dict[Expr, int] = {}
+        self.ends = [self._place(sympy.sympify(each)) for each in expressions]
+
+    def _place(self, node: Expr) -> int:
+        place = self._places.get(node)
+        if place is None:
+            places = tuple(self._place(arg) for arg in node.args)
+            place = self._places[node] = len(self.steps)
+            self.steps.append((node, places))
+        return place
 
 
 @lru_cache(maxsize=20_000)

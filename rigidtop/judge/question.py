@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -10,7 +12,7 @@ from sympy import Expr
 
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import SETTING, Constraint, Context
-from rigidtop.judge.jets import Jet, jets, rate, symbol
+from rigidtop.judge.jets import Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import Residual, moved, residuals, surrounding
 from rigidtop.judge.meaning import (
     LARGEST,
@@ -46,6 +48,13 @@ class Patience:
     """How many seconds of the processor are left to look for slips in a text."""
 
     seconds: float = ALL_SLIPS_SECONDS
+
+    @contextmanager
+    def search(self, longest: float) -> Iterator[float]:
+        """When a search has to end, which takes of these seconds what it needs."""
+        begun = time.process_time()
+        yield begun + min(longest, self.seconds)
+        self.seconds -= time.process_time() - begun
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,7 +192,7 @@ class Question:
         both = [pair for x in values for pair in pairs(x.value(left), x.value(right))]
         if self.at.instant:
             both = [(self.then(a), self.then(b)) for a, b in both]
-        if sum(x.count_ops() for pair in both for x in pair) > 2 * LARGEST:
+        if sum(operations(x) for pair in both for x in pair) > 2 * LARGEST:
             raise UnclearError("it becomes too long")
         return both
 
@@ -291,7 +300,7 @@ class Question:
         """That it follows; its right side is another expression of what the chain begins with."""
         context = self.context
         letter = context.head
-        if letter is not None and letter in context.definitions and self.signs[0] == 1:
+        if isinstance(letter, Letter) and letter in context.definitions and self.signs[0] == 1:
             definition = context.definitions[letter]
             also = (*definition.also, self.right)
             context = context.defining(letter, replace(definition, also=also))

@@ -45,7 +45,8 @@ def changes(
     names = n.letters(left) | n.letters(right)
     found = []
     for side, other, is_left in ((right, left, False), (left, right, True)):
-        for node, words, rank in _changed(side, names, known, moving, letter, is_left):
+        whole = not (is_left and _is_name(left)) and not _is_zero(other)
+        for node, words, rank in _changed(side, names, known, moving, letter, whole):
             sides = (node, other) if is_left else (other, node)
             found.append(Change(*sides, words, rank + 0.1 * is_left))
     if indices:
@@ -68,7 +69,7 @@ def _changed(
     known: frozenset[Letter],
     moving: frozenset[Letter],
     letter: Letter | None,
-    is_left: bool,
+    whole: bool,
 ) -> Iterator[tuple[Node, str, float]]:
     if letter is not None:
         for other in sorted(known - {letter}, key=str):
@@ -77,7 +78,7 @@ def _changed(
                 yield n.replaced(side, letter, other), words, 1.0
         return
     yield from _everywhere(side, lambda node: _single(node, names, known, moving))
-    yield from _times(side, names, known, moving, is_left)
+    yield from _times(side, names, known, moving, whole)
     angles = {n.ungrouped(x.of) for x in n.walked(side) if isinstance(x, n.Apply)}
     for angle in sorted(angles, key=repr):
         swapped = _swapped(side, angle)
@@ -192,9 +193,9 @@ def _times(
     names: frozenset[Letter],
     known: frozenset[Letter],
     moving: frozenset[Letter],
-    is_left: bool,
+    whole: bool,
 ) -> Iterator[tuple[Node, str, float]]:
-    """A sign, a factor or a letter more or less on the whole, or on one term or entry."""
+    """A sign, a factor or a letter more or less on one term or entry, or on the `whole`."""
     near = [*sorted(names, key=str), *sorted(known - names, key=str)]
     scalars = [x for x in near if not x.bold and x.base not in "πt"][:12]
     factors: list[tuple[Node, str, float]] = [
@@ -225,13 +226,17 @@ def _times(
             yield from _scaled(node, k, term, factors)
 
     bare = side.of if isinstance(side, n.Rate) else side
-    named = is_left and isinstance(bare, Letter)
-    if not (named or isinstance(bare, (n.Sum, n.Tuple, n.Matrix, Number))):
+    if whole and not isinstance(bare, (n.Sum, n.Tuple, n.Matrix, Number)):
         yield _negated(side), "another sign", 0.2
         for factor, words, rank in factors:
             if not _cancels(factor, side):
                 yield _product(factor, side), f"{words} times as much", rank
     yield from _everywhere(side, local)
+
+
+def _is_name(side: Node) -> bool:
+    """Whether it is a letter or a rate of one, which has no factor."""
+    return isinstance(side.of if isinstance(side, n.Rate) else side, Letter)
 
 
 def _cancels(factor: Node, side: Node) -> bool:

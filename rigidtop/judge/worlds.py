@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from sympy import Expr, Symbol
 
 from rigidtop.judge.jets import Jet, jet_of, symbols
-from rigidtop.judge.program import Array, Program, UnknownFunctionError
+from rigidtop.judge.program import Array, Program, Steps, UnknownFunctionError
 from rigidtop.tree.nodes import Letter
 
 WORLDS = 4
@@ -74,6 +74,9 @@ class Worlds:
         if not known.any():
             return None
         extent = size[:, known].max(axis=0, initial=0)  # nothing is compared where all is 0 = 0
+        seen = np.abs(found.values[: 2 * k, known]).max(axis=0, initial=1)
+        if (CLOSE * extent > seen).any():
+            return None if trivially else False  # rounding may hide both sides
         if not trivially and ((extent < _FLOOR) | (extent > _LARGEST)).any():
             return False
         return bool((gap[:, known] <= CLOSE * (size[:, known] + _FLOOR)).all())
@@ -187,6 +190,7 @@ def _solved(
     exact = np.zeros(points.shape[1], bool)
     lost = np.zeros(points.shape[1], bool)
     largest = np.maximum(1, weights)[:, None]
+    steps = Steps(equations)
     for step in range(_STEPS):
         left = np.flatnonzero(~exact & ~lost)
         late = step > 6 * enough + 1
@@ -194,7 +198,7 @@ def _solved(
             break
         if step > _PATIENCE and not exact.any():
             break
-        at = Program(letters, points[:, left], with_slopes=True).values(equations)
+        at = Program(letters, points[:, left], with_slopes=True).followed(steps)
         finite = np.isfinite(at.values).all(axis=0) & np.isfinite(at.slopes).all(axis=(0, 1))
         arrived = finite & (np.abs(at.values) <= _EXACT * (at.sizes + 1e-3)).all(axis=0)
         lost[left[~finite]] = True
@@ -207,18 +211,21 @@ def _solved(
         gap = np.where(np.abs(gap) <= _EXACT * size, 0, gap)
         scale = np.where((gap == 0) & (scale <= 1e-9 * (size + 1e-3)), np.inf, scale)
         matrix = np.moveaxis(slope / scale[:, None] * weights[:, None], -1, 0)
-        move = weights[:, None] * _least(matrix, (-gap / scale).T).T
+        move = weights[:, None] * least(matrix, (-gap / scale).T, 1e-9).T
         farthest = np.abs(move / largest).max(axis=0)
         points[:, left[on]] += move * (0.7 / np.maximum(farthest, 0.7))
         lost[left[on]] = (np.abs(points[:, left[on]]) > 1e5).any(axis=0)
     return points, exact
 
 
-def _least(matrices: Array, right: Array) -> Array:
-    """The smallest solutions of systems of linear equations, each as nearly as it has one."""
+def least(matrices: Array, right: Array, rounding: float) -> Array:
+    """The smallest solutions of systems of linear equations, each as nearly as it has one.
+
+    A singular value that is no larger than this share of the largest one is taken for zero.
+    """
     if not matrices.imag.any() and not right.imag.any():
         matrices, right = matrices.real, right.real
-    made: Array = (np.linalg.pinv(matrices, rcond=1e-9) @ right[..., None])[..., 0]
+    made: Array = (np.linalg.pinv(matrices, rcond=rounding) @ right[..., None])[..., 0]
     return made
 
 
@@ -244,7 +251,7 @@ def _weights(letters: Sequence[Symbol]) -> NDArray[np.float64]:
 def _weight(x: Symbol, letters: Sequence[Symbol]) -> float:
     jet = jet_of(x)
     if jet is None:
-        return 0.3 if x.name.startswith(("t\x1f", "unit ")) else 10.0
+        return 0.3 if x.name.startswith(("t\x1f", "unit ", "part ")) else 10.0
     if _is_parameter(x, letters):
         return 0.3
     return (1.0, 3.0, 10.0, 30.0)[min(jet.order, 3)]

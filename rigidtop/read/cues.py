@@ -42,6 +42,8 @@ class Cue(Enum):
     """It follows from what was said: "hence"."""
     GIVEN = auto()
     """It is taken from elsewhere: "according to", "experiment shows"."""
+    ANEW = auto()
+    """It is what something is after a change: "the new energy is"."""
 
 
 _THE = r"(?:the|an?|its|our|their|some|der|die|das|dem|den|eine?[mnrs]?|les?|la|une?|l')"
@@ -137,6 +139,11 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"\b(?:show|prove|verify|is it true|why is|zeigen? (?:Sie|wir)?|beweisen?(?: Sie)?"
         r"|montre[rz]"
         r"|démontre[rz]|est-ce)(?: that|,? dass| que)?[^.]{0,60}",
+    ),
+    Cue.ANEW: (
+        r"\b(?:new|changed|neue[ns]?|nouvel(?:le)?) (?:[\w'-]+ ){1,4}(?:is|becomes|ist|wird"
+        r"|est|devient)"
+        r"(?: (?:now|then|thus|therefore|hence|nun|dann|daher|also|alors|donc))?",
     ),
     Cue.GIVEN: (
         r"\b(?:according to|from the tables?|(?:Newton|Hooke|Kepler|Coulomb)['’]?s? (?:\w+ )?law"

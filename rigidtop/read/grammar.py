@@ -825,9 +825,10 @@ class Grammar:
         self.integrals -= 1
         for _ in () if by else bounds:
             of, variable = integrand_of(of, position)
-            by = [*by, variable]
-        for variable in by:
-            of = Integral(ungrouped(of), variable, *(bounds.pop() if bounds else (None, None)))
+            by = [*by, (variable, 1)]
+        for variable, dimension in by:
+            lower, upper = bounds.pop() if bounds else (None, None)
+            of = Integral(ungrouped(of), variable, lower, upper, dimension)
         if bounds:
             raise UnreadError("an integral that does not say over what", position)
         return of
@@ -845,12 +846,13 @@ class Grammar:
             self.take()
         return terms[0] if len(terms) == 1 else Sum(tuple(terms))
 
-    def differentials(self) -> list[Node]:
+    def differentials(self) -> list[tuple[Node, int]]:
+        """The letters behind each d, with how often they count: d³r."""
         found = []
         while self.is_differential():
             self.take()
-            self.exponent()
-            found.append(self.differential_of())
+            dimension = self.exponent()
+            found.append((self.differential_of(), dimension))
         return found
 
     def total(self) -> Node:

@@ -190,7 +190,9 @@ def _limits(lower: Node | None, upper: Node | None, index: str = "") -> str:
 
 def _integral(part: n.Integral) -> str:
     of = _within(part.of, TERM)
-    return rf"\int{_limits(part.lower, part.upper)} {of}\,\mathrm{{d}} {_within(part.by, ATOM)}"
+    power = f"^{{{part.dimension}}}" if part.dimension > 1 else ""
+    by = rf"\mathrm{{d}}{power} {_within(part.by, ATOM)}"
+    return rf"\int{_limits(part.lower, part.upper)} {of}\,{by}"
 
 
 def _total(part: n.Total) -> str:

@@ -239,12 +239,16 @@ class Component(Node):
 
 @dataclass(frozen=True, slots=True)
 class Integral(Node):
-    """An integral over a letter; without limits both are None; "loop" where it is closed."""
+    """An integral over a letter; without limits both are None; "loop" where it is closed.
+
+    Over space there are as many differentials as `dimension` says: ∫ d³r.
+    """
 
     of: Node
     by: Node
     lower: Node | None = None
     upper: Node | None = None
+    dimension: int = 1
 
 
 @dataclass(frozen=True, slots=True)

@@ -152,7 +152,8 @@ def _limits(lower: Node | None, upper: Node | None, index: str = "") -> str:
 
 def _integral(part: n.Integral) -> str:
     limits = _limits(part.lower, part.upper)
-    return f"∫{limits} {within(part.of, DOT)} d{within(part.by, ATOM)}"
+    power = _raised(part.dimension) if part.dimension > 1 else ""
+    return f"∫{limits} {within(part.of, DOT)} d{power}{within(part.by, ATOM)}"
 
 
 def _total(part: n.Total) -> str:

@@ -68,6 +68,33 @@ TEXTS = r"""
 . m\ddot{\mathbf r} = -k\mathbf r
 + \dot{\mathbf M} = 0
 
+# Newton's law within a chain
+. F = ma = m\ddot x = -kx
++ \ddot x = -\frac kmx
+- \ddot x = \frac kmx
+
+# the sum of forces
+. \sum F = m\ddot y = -mg - b\dot y
++ \ddot y = -g - \frac bm\dot y
+- \ddot y = -g + \frac bm\dot y
+
+# integrals over a body
+. M = \int \rho\,d^3r
+. \mathbf R = \frac1M\int d^3r\,\rho(\mathbf r)\,\mathbf r
++ \int d^3r\,\rho(\mathbf r)\,(\mathbf r - \mathbf R) = 0
+- \int d^3r\,\rho(\mathbf r)\,(\mathbf r + \mathbf R) = 0
+. \mathbf N = -g\int d^3r\,\rho(\mathbf r)\,\mathbf r\times\hat{\mathbf z}
++ \mathbf N = -gM\mathbf R\times\hat{\mathbf z}
+- \mathbf N = gM\mathbf R\times\hat{\mathbf z}
+
+# a body of which each part turns alike
+. \mathbf v = \boldsymbol\omega\times\mathbf r
+. \mathbf L = \int \mathbf r\times\mathbf v\,dm
++ \mathbf L = \int (r^2\boldsymbol\omega - (\mathbf r\cdot\boldsymbol\omega)\mathbf r)\,dm
+- \mathbf L = \int (r^2\boldsymbol\omega + (\mathbf r\cdot\boldsymbol\omega)\mathbf r)\,dm
++ \int v^2\,dm = \boldsymbol\omega\cdot\mathbf L
+- 2\int v^2\,dm = \boldsymbol\omega\cdot\mathbf L
+
 # two cross products
 . \mathbf d = \mathbf a\times(\mathbf b\times\mathbf c)
 + \mathbf d = \mathbf b(\mathbf a\cdot\mathbf c) - \mathbf c(\mathbf a\cdot\mathbf b)

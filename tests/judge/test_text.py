@@ -235,6 +235,25 @@ TEXTS = [
      r"$$L = \frac12a\dot u^2 + b\cos u$$" "\n" r"$$a\ddot u = -b\sin u$$", {4: True, 7: True}),
     # what a letter stands for in another part of the text is no contradiction
     ("# A\n$v = -u s$ and $s = q/b$\n# B\n$$v = q u/b$$", {4: None}),
+    # what a letter stands for after a change
+    ("Here $$a = 3$$\nThe new ratio is therefore\n$$a = 2 + 3 = 5$$", {3: True}),
+    ("Here $$a = 3$$\nThe ratio is therefore\n$$a = 2 + 3 = 5$$", {3: False}),
+    # one letter in place of another leaves something to say, and a factor of zero does not
+    (r"$u = ae^{ib}$ and $\dot c = 2s$" "\n" r"$$\dot c^2 = |u|^4$$", {2: None}),
+    (r"$\ddot x = -w^2x$ with $x(0) = 0$" "\n" r"$$x = A\cos wt + B\sin wt$$" "\n"
+     r"$$\dot x = 0$$", {3: None}),
+    # a law that speaks of a quantity with a meaning has to agree with it
+    (r"$$E = \frac12m\dot r^2 + V(r)$$" "\n" r"$$\frac12m\dot r^3 + V(r) = E$$", {2: False}),
+    # a letter is kept while it is differentiated by, also where slips are looked for
+    (r"$r = \sqrt{x^2 + y^2}$ with $\dot x = u$, $\dot y = w$" "\n" r"$$V(r) = -\frac kr$$" "\n"
+     r"$$L = \frac m2(\dot r^2 + r^2\dot\theta^2) - V(r)$$" "\n"
+     r"$$m\ddot r - mr\dot\theta^2 - \frac{\partial V}{\partial r} = 0$$", {4: False}),
+    # which way a quantity with a meaning goes is one of two roots
+    (r"$r = \sqrt{x^2 + y^2}$" "\n" r"$$E = \frac12m\dot r^2 + br$$" "\n"
+     r"$$\dot r = \sqrt{\frac2m(E - br)}$$", {3: True}),
+    # a rate seen from the body of what is no vector
+    (r"$\boldsymbol\omega = (a, b, c)$" "\n"
+     r"$$\left(\frac{dm}{dt}\right)_{\text{body}} = 0$$", {2: None}),
 ]  # fmt: skip
 """Texts, and whether the formulas of a line follow, are wrong (False), or neither (None)."""
 

@@ -9,7 +9,7 @@ from sympy import Symbol, cos, exp, log, sin, sqrt
 
 from rigidtop.judge import program as home
 from rigidtop.judge.jets import TIME, Jet, at_instant, jet_of, jets, rate, symbol
-from rigidtop.judge.program import Program, UnknownFunctionError
+from rigidtop.judge.program import Program, Steps, UnknownFunctionError
 from rigidtop.judge.worlds import WORLDS, Worlds, found, rank, symbols_of
 from rigidtop.tree.nodes import Letter
 
@@ -90,6 +90,14 @@ def test_random_expressions_have_the_values_of_sympy(expression, seed):
 def test_a_difference_has_the_size_of_its_terms():
     made = Program(LETTERS, points(3)).values([1000 * X - 1000 * X * Y / Z])
     assert (made.sizes > 100).all()
+
+
+def test_steps_have_the_values_of_what_is_looked_up():
+    expressions = [*EXPRESSIONS.values(), X, sympy.Integer(2)]
+    program = Program(LETTERS, points(1) + 2, with_slopes=True)
+    one, other = program.values(expressions), program.followed(Steps(expressions))
+    for name in ("values", "sizes", "slopes"):
+        assert np.array_equal(getattr(one, name), getattr(other, name), equal_nan=True)
 
 
 def test_a_function_of_no_known_name_has_no_numbers():
@@ -240,6 +248,6 @@ def test_another_moment_has_other_values_of_what_moves():
 def test_of_sides_that_would_round_everything_away_nothing_is_seen():
     worlds = Worlds(LETTERS, np.full((len(LETTERS), 4), 0.7 + 0j))
     huge = 2 * sympy.Integer(10) ** 30 * (X - Y)
-    assert worlds.holds([(huge, Z)])
+    assert worlds.holds([(huge, Z)]) is None
     assert worlds.holds([(huge, Z)], trivially=False) is False
     assert worlds.holds([(X, Y)], trivially=False)

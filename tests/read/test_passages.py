@@ -147,6 +147,8 @@ CUES = {
     "d'où $a=b$": ["DERIVED"],
     "The moment, from the tables, is $$J=1$$": ["GIVEN"],
     "Laut Messung ist $a=b$": ["GIVEN"],
+    "The new total energy is therefore $a=b$": ["ANEW DERIVED"],
+    "A new problem is harder. There $a=b$": [""],
 }
 
 
