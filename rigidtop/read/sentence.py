@@ -33,12 +33,12 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Expand A to first order in $x$ and $y$.  (both small alike)
     Define the name of it.                  (a definition)
 
-In front, or behind a comma, may stand "using B" (put in as well) and "for $x > 0$" (under a
-condition): "Using (3.55), differentiate (3.53) in time"; "For a fast top (large $x$), drop $f$".
-A, B are numbers in brackets, names, letters in dollars, "it" (the line directly above) or "both"
-(the two above).  Where none is named the line above is meant: "Differentiate in time", "Project on
-$e$", "Substitute into (3.53)".  What lecturers say besides is read alike: put, insert, neglect, dot
-with, resolve along, take the component along, differentiate by, take the rate of, call.
+In front, or behind a comma, may stand "using B" (put in as well), and "for $x > 0$" or "if $x > 0$"
+(under a condition): "Using (3.55), differentiate (3.53) in time"; "For a fast top (large $x$), drop
+$f$".  A, B are numbers in brackets, names, letters or equations in dollars, "it" (the line directly
+above) or "both" (the two above).  Where none is named the line above is meant: "Differentiate in
+time", "Project on $e$", "Substitute into (3.53)".  What lecturers say besides is read alike: put,
+insert, neglect, dot with, resolve along, take the component along, differentiate by, call.
 """
 
 from __future__ import annotations
@@ -127,11 +127,11 @@ def _circumstances(
         return body, (*more, *using), (*also, *where)
     using, where = (), ()
     while True:
-        found = re.fullmatch(r"(.*), (with|using|for) (.+?)", plain) if ", " in plain else None
+        found = re.fullmatch(r"(.*), (with|using|for|if) (.+?)", plain) if ", " in plain else None
         if found is None:
             return plain, using, where
         body, word, rest = found.groups()
-        if word == "for":
+        if word in ("for", "if"):
             if not _MATH.match(rest):
                 return plain, using, where
             _only_and(rest)
@@ -206,9 +206,19 @@ def _named(said: str, context: Context) -> Known | None:
         return next((k for k in reversed(context.above) if k.tag == number[1]), None)
     letter = _MATH.fullmatch(said)
     if letter is not None:
-        return _of_letter(_expression(letter[1], context), context)
+        sides = _equation(f"{letter[1]} = 0", context).sides[:-1]
+        return _of_equation(sides, context) if sides[1:] else _of_letter(sides[0], context)
     name = _key(said)
     return next((k for k in reversed(context.above) if k.called and _key(k.called) == name), None)
+
+
+def _of_equation(sides: Sequence[Expr], context: Context) -> Known | None:
+    """The last line above that says an equation."""
+    for known in reversed(context.above):
+        own = tuple(e for e in known.equations if e.sides == sides and e.relation == "=")
+        if own:
+            return replace(known, equations=own)
+    return None
 
 
 def _of_letter(letter: Expr, context: Context) -> Known | None:
