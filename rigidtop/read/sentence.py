@@ -305,7 +305,8 @@ class _Shape(NamedTuple):
         using = each("u", _list)
         if any(known in of for known in using):
             raise SentenceError("a line is put into another, not into itself: name those put in")
-        return Move(self.verb, of, by=by, using=using, power=power)
+        unnamed = any(name in parts and not parts[name] for name in _ABOVE)
+        return Move(self.verb, of, by=by, using=using, power=power, unnamed=unnamed)
 
 
 _ABOVE = dict.fromkeys("abu", "it")

@@ -86,7 +86,9 @@ CONTEXT = Context(LINES, NOTES, LINES, LINES)
     ],
 )
 def test_a_sentence_says_the_same_move_as_a_plain_one(said, plainly):
-    one, other = (replace(move(f"{words}:", CONTEXT), words="") for words in (said, plainly))
+    one, other = (
+        replace(move(f"{words}:", CONTEXT), words="", unnamed=False) for words in (said, plainly)
+    )
     assert one == other
 
 
