@@ -199,7 +199,7 @@ def _last(context: Context, count: int) -> tuple[Known, ...]:
 
 
 def _named(said: str, context: Context) -> Known | None:
-    if said in ("it", "It", "this", "both sides"):
+    if said in ("it", "It", "this", "both sides", "the right-hand side"):
         return _last(context, 1)[0]
     number = re.fullmatch(r"\(([^()\s]+)\)", said)
     if number is not None:
