@@ -344,6 +344,9 @@ def read_beside(file: str, source: str, lecture: Lecture, notation: Notation) ->
     name = Path(file).stem
     before = tuple(takewhile(lambda text: text.name != name, lecture.texts))
     above = [known for text in before for known in _known(text)]
+    named = {known.called: known for known in above}
+    former = [replace(named[now], called=old) for old, now in lecture.formerly if now in named]
+    above = [*former, *above]
     page = read_page(source, file, name, notation, above)
     return replace(lecture, texts=(*before, page), main=len(before))
 

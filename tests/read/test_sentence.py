@@ -4,9 +4,11 @@ from dataclasses import replace
 
 import pytest
 
+from rigidtop.derivations import FORMERLY, lecture
 from rigidtop.notation import NOTES
 from rigidtop.proof.moves import Known
 from rigidtop.read.equations import equations
+from rigidtop.read.page import read_beside
 from rigidtop.read.sentence import Context, SentenceError, definition, move
 
 
@@ -121,3 +123,11 @@ def test_another_sentence_says_how_it_is_written(said, why):
 def test_a_definition_has_no_condition():
     with pytest.raises(SentenceError, match="has no condition"):
         definition("For $L > 0$, define the amplitude", CONTEXT)
+
+
+@pytest.mark.parametrize(("former", "now"), FORMERLY)
+def test_another_page_may_cite_a_line_by_its_former_name(former, now):
+    page = f"Rewrite {former}:\n\n$$\\theta = \\theta$$\n"
+    read = read_beside("mine.md", page, lecture(), NOTES).texts[-1]
+    [cited] = read.lines[0].move.of
+    assert lecture().lines[cited.id].called == now
