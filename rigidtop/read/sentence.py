@@ -35,10 +35,11 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
 
 In front, or behind a comma, may stand "using B" (put in as well), and "for $x > 0$" or "if $x > 0$"
 (under a condition): "Using (3.55), differentiate (3.53) in time"; "For a fast top (large $x$), drop
-$f$".  A, B are numbers in brackets, names, letters or equations in dollars, "it" (the line directly
-above) or "both" (the two above).  Where none is named the line above is meant: "Differentiate in
-time", "Project on $e$", "Substitute into (3.53)".  What lecturers say besides is read alike: put,
-insert, neglect, dot with, resolve along, take the component along, differentiate by, call.
+$f$". A, B are numbers in brackets, names, letters or equations in dollars, "it" or "this" (the line
+directly above) or "both" (the two above). Where none is named the line above is meant:
+"Differentiate in time", "Project on $e$", "Substitute into (3.53)". What lecturers say besides is
+read alike: put, insert, neglect, dot with, resolve along, take the component along, differentiate
+by, call.
 """
 
 from __future__ import annotations

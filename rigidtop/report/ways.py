@@ -256,7 +256,7 @@ def gaps(lecture: Lecture, ids: Iterable[str]) -> list[b.Block]:
     return [b.Paragraph((f"{gap(each, lecture.letters)}.",), "Gap") for each in lecture.gaps(ids)]
 
 
-_IT = re.compile(r"\bit\b(?! is)")
+_IT = re.compile(r"\bit\b(?! is)|(?<=\bwith )this\b")
 
 
 def _without_it(
