@@ -57,11 +57,24 @@ TEXTS = (
 )
 """The pages as they are read aloud, Markdown files beside this one, in reading order."""
 
+FORMERLY = (
+    ("the component off the diagonal", "the product of inertia"),
+    ("the frequency in the body", "the precession frequency in the body frame"),
+    ("the frequency in space", "the precession frequency in the space frame"),
+    ("the inner torque", "the internal torque"),
+    ("the momentum of $\\phi$", "the momentum conjugate to $\\phi$"),
+    ("the momentum of $\\psi$", "the momentum conjugate to $\\psi$"),
+    ("the weight against the spin", "the small parameter $\\varepsilon$"),
+    ("the square of the frequency of nutation", "the square of the nutation frequency"),
+)
+"""What lines were called once, with what they are called now: pages of others cite them so."""
+
 
 @cache
 def lecture() -> Lecture:
     """The text of the lecture, read: every line with the move that leads to it."""
-    return replace(read_lecture(_sources(TEXTS), LETTERS, NOTES), refuted=refuted)
+    text = read_lecture(_sources(TEXTS), LETTERS, NOTES)
+    return replace(text, refuted=refuted, formerly=FORMERLY)
 
 
 def lecture_with(exercises: Sequence[str]) -> Lecture:

@@ -117,6 +117,8 @@ class Lecture:
     """So many texts are the lecture's; those behind are exercises, each by itself."""
     refuted: Callable[[Lecture, Judged], str] | None = None
     """Why a line is false at which a move arrives, or nothing: a second opinion."""
+    formerly: tuple[tuple[str, str], ...] = ()
+    """What lines were called once, with what they are called now: other pages may cite either."""
 
     @cached_property
     def lines(self) -> dict[str, Line]:

@@ -2,7 +2,7 @@
 
     ## Equation of motion
 
-    Differentiate (3.53) by $\\dot\\theta$:
+    Differentiate (3.53) with respect to $\\dot\\theta$:
 
     $$\\frac{\\partial\\mathcal L}{\\partial\\dot\\theta} = \\lambda_1\\dot\\theta$$
 
@@ -205,10 +205,10 @@ class _Reader:
                 self.fault(at, f"{called!r} has no source: say in front of it whose law it is")
             origin = pieces(self.source, self.notation)
             return replace(made, scope=scope, called=called, source=self.source, origin=origin)
-        defines = language.DEFINES.fullmatch(said)
         context = language.Context(self.above, self.notation, self.page, self.near)
-        if defines is not None:
-            name, using = language.definition(said, context)
+        defined = language.definition(said, context)
+        if defined is not None:
+            name, using = defined
             if language.is_taken(name, context):
                 raise RigidtopError(f"{name!r} names something above: call this otherwise")
             letters = {x for k in self.above for e in k.equations for x in symbols_of(e)}
@@ -344,6 +344,9 @@ def read_beside(file: str, source: str, lecture: Lecture, notation: Notation) ->
     name = Path(file).stem
     before = tuple(takewhile(lambda text: text.name != name, lecture.texts))
     above = [known for text in before for known in _known(text)]
+    named = {known.called: known for known in above}
+    former = [replace(named[now], called=old) for old, now in lecture.formerly if now in named]
+    above = [*former, *above]
     page = read_page(source, file, name, notation, above)
     return replace(lecture, texts=(*before, page), main=len(before))
 

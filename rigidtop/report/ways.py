@@ -256,7 +256,7 @@ def gaps(lecture: Lecture, ids: Iterable[str]) -> list[b.Block]:
     return [b.Paragraph((f"{gap(each, lecture.letters)}.",), "Gap") for each in lecture.gaps(ids)]
 
 
-_IT = re.compile(r"\bit\b(?! is)")
+_IT = re.compile(r"\bit\b(?! is)|(?<=\bwith )this\b")
 
 
 def _without_it(
@@ -266,7 +266,7 @@ def _without_it(
     notation: Notation,
     figures: Mapping[str, b.Figure],
 ) -> b.Rich:
-    """A sentence in which "it" is a name where the line just above is not shown."""
+    """A sentence that names the line just above where that is meant, and not shown."""
     along = line.move.by if line.move is not None and line.move.verb == "component" else ()
     words = running(line.words, notation, figures, along)
     if line.move is None:
@@ -275,6 +275,8 @@ def _without_it(
     if before not in above or before not in {known.id for known in line.move.cited}:
         return words
     name = called(lecture.lines[before], notation)
+    if line.move.unnamed and isinstance(words[0], str):
+        words = ("Take ", *name, " and ", words[0][:1].lower() + words[0][1:], *words[1:])
     made: list[Any] = []
     for piece in words:
         parts = _IT.split(piece) if isinstance(piece, str) else [piece]
@@ -292,6 +294,8 @@ def _spoken(words: b.Rich, judged: Judged, notation: Notation) -> b.Rich:
     said = ("=", "start", "large", "small")
     new = [c for c in judged.known.conditions if c not in old and c.relation not in said]
     new = [c for c in new if not (c.relation == "≥" and c.expression.is_nonnegative)]
+    told = {text(piece) for piece in words if isinstance(piece, Node)}
+    new = [c for c in new if text(relation(c, notation)) not in told]
     if not (new and words and isinstance(words[-1], str)):
         return words
     made: list[Any] = [*words[:-1], words[-1].rstrip().rstrip(":")]
@@ -347,6 +351,9 @@ def _marked(tex: str) -> str:
     return f"${' '.join(plain.split())}$"
 
 
+_NAMING = re.compile(r"^(?:Along the motion|At the moment),? |^(?:Call|Define) |, define ")
+
+
 def called(line: Line, notation: Notation = NOTES) -> b.Rich:
     """What an equation is called: by its number, else by its name, else by its place."""
     tag = next((e.tag for e in line.equations if e.tag), "")
@@ -354,12 +361,12 @@ def called(line: Line, notation: Notation = NOTES) -> b.Rich:
         return (f"({tag})",)
     if not line.called:
         return (f"line {line.at}",)
-    first, *rest = running(line.words, notation)
-    name = (
-        re.sub(r"^(?:Along the motion,? |At the moment,? |Call )", "", first)
-        if isinstance(first, str)
-        else first
-    )
+    name, *rest = running(line.words, notation)
+    for k, piece in enumerate((name, *rest)):
+        naming = _NAMING.search(piece) if isinstance(piece, str) else None
+        if naming is not None:
+            name, *rest = (naming.string[naming.end() :], *rest[k:])
+            break
     if isinstance(name, str):
         name = name[:1].lower() + name[1:] if name.startswith("The ") else name
     made = (name, *rest)

@@ -261,12 +261,12 @@ class _Writer:
         slope = self.own(short(system.plain.diff(names.q[k])))
         self.heading("Equation of motion for ", x)
         p = self.line(
-            ("Differentiate the Lagrangian by ", v),
+            ("Differentiate the Lagrangian with respect to ", v),
             Equation(by_rate, momentum),
             Move("differentiate", (self.L,), by=(v,)),
         )
         force = self.line(
-            ("Differentiate the Lagrangian by ", x),
+            ("Differentiate the Lagrangian with respect to ", x),
             Equation(by_place, slope),
             Move("differentiate", (self.L,), by=(x,)),
         )
@@ -274,12 +274,14 @@ class _Writer:
             self.conserved(p, force, law, x)
         rate = short(self.rate(momentum))
         turning = self.line(
-            ("Take the rate of ", by_rate), Equation(Rate(by_rate), rate), Move("rate", (p,))
+            ("Differentiate ", by_rate, " in time"),
+            Equation(Rate(by_rate), rate),
+            Move("rate", (p,)),
         )
         [equation] = law.equations
         right = short(equation.sides[1].xreplace({by_place: slope}))
         made = self.line(
-            ("Put it and ", by_place, " into Lagrange's equation for ", x),
+            ("Substitute it and ", by_place, " into Lagrange's equation for ", x),
             Equation(rate, right, tag=self.tag(str(k + 1))),
             Move("put", (law,), using=(turning, force)),
         )
@@ -289,17 +291,14 @@ class _Writer:
         """The momentum of a cyclic coordinate."""
         by_rate, momentum = p.equations[0].sides
         kept = self.line(
-            ("Put it into Lagrange's equation for ", x),
+            ("Substitute into Lagrange's equation for ", x),
             Equation(Rate(by_rate), 0),
             Move("put", (law,), using=(force,)),
         )
-        constant = self.line(
-            ("Integrate it",), Equation(by_rate, const), Move("integrate", (kept,))
-        )
         self.line(
-            ("Put ", by_rate, " into it"),
-            Equation(momentum, const),
-            Move("put", (constant,), using=(p,)),
+            ("Hence ", by_rate, " is conserved"),
+            Equation(by_rate, momentum, const),
+            Move("integrate", (kept,), using=(p,)),
         )
 
     def rate(self, value: Expr) -> Expr:
@@ -311,15 +310,15 @@ class _Writer:
         """A constraint, its rate taken until it has accelerations."""
         count = len(self.system.rules)
         self.heading("The rate of " + _numbered("the constraint", i, count))
-        known, called = rule, rule.called
+        known, said = rule, f"Differentiate {rule.called} in time"
         for last in (False, True) if self.system.holonomic[i] else (True,):
             rate = short(self.rate(known.equations[0].sides[0]))
             known = self.line(
-                (f"Take the rate of {called}",),
+                (said,),
                 Equation(rate, 0, tag=self.tag(f"c{i + 1}") if last else ""),
                 Move("rate", (known,)),
             )
-            called = "it"
+            said = "Differentiate in time"
         return known
 
     def solved(self, balanced: Sequence[Known], held: Sequence[Known]) -> list[Known]:
@@ -361,7 +360,7 @@ class _Writer:
         slopes = [Partial(Lagrangian, self.own(v)) for v in names.v]
         self.heading("The energy", name="energy")
         energy = self.line(
-            ("Put the Lagrangian", *_more(slopes), " into the energy"),
+            ("Substitute the Lagrangian", *_more(slopes), " into the energy"),
             Equation(E, self.own(system.jacobi)),
             Move("put", (self.jacobi,), using=(self.L, *momenta)),
         )
@@ -369,11 +368,15 @@ class _Writer:
             return
         letters = [e.sides[0] for known in solved for e in known.equations]
         kept = self.line(
-            ("Take the rate of it, with ", *_between(letters)),
+            ("Using ", *_between(letters), ", differentiate in time"),
             Equation(Rate(E), 0),
             Move("rate", (energy,), using=tuple(solved)),
         )
-        self.line(("Integrate it",), Equation(E, const), Move("integrate", (kept,)))
+        self.line(
+            ("Hence ", E, " is conserved"),
+            Equation(E, energy.equations[0].sides[1], const),
+            Move("integrate", (kept,), (energy,)),
+        )
 
 
 def _numbered(what: str, k: int, count: int) -> str:

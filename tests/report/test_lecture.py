@@ -627,7 +627,7 @@ return [...document.querySelectorAll(".slide")].map((slide) => [
   slide.textContent,
 ])"""
 ALONE = """return slides.flatMap((slide) => [...slide.querySelectorAll(".why")].filter((why) => {
-  const [, meant] = /^(?!.*\\. ).*\\b(it|both)\\b/.exec(why.textContent) ?? [];
+  const [, meant] = /^(?!.*\\. ).*\\b(it|both(?! sides))\\b/.exec(why.textContent) ?? [];
   const before = [...slide.querySelectorAll(".eq")].filter(
     (eq) => why.compareDocumentPosition(eq) & Node.DOCUMENT_POSITION_PRECEDING);
   return meant && before.length < (meant === "both" ? 2 : 1);

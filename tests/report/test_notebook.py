@@ -118,7 +118,7 @@ def test_a_solution_has_no_digits_of_this_machine(shown):
 
 def test_the_lines_of_the_lecture_as_derive_prints_them(shown):
     made = shown(notebook.steps("3.54"))["text/markdown"]
-    assert "Put both into Lagrange's equation for $\\theta$:" in made
+    assert "Substitute both into Lagrange's equation for $\\theta$:" in made
     assert made.count("$$") == 8
     with pytest.raises(RigidtopError, match=r"^no lines of the lecture lead to '3\.99'$"):
         notebook.steps("3.99")

@@ -149,6 +149,8 @@ class Move:
     power: int = 0
     where: tuple[Condition, ...] = ()
     words: str = ""
+    unnamed: bool = False
+    """Whether the words mean the line above without naming it, as "differentiate in time" does."""
 
     @property
     def cited(self) -> tuple[Known, ...]:

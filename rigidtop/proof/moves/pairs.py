@@ -86,7 +86,7 @@ def give(equation: Equation, source: Known, given: dict[Expr, Value], letters: L
         atoms = [atom for rate in rates if (atom := single_atom(rate))]
         if not atoms:
             raise RefusedError(
-                "{} says that a sum is constant: take the rate of it", name_of(source)
+                "{} says that a sum is constant: differentiate it in time", name_of(source)
             )
         given.update((atom, Integer(0)) for atom, _ in atoms)
     # Each side as what it is; the first that is an atom gives way to the others: a letter before
