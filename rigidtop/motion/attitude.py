@@ -20,6 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from rigidtop.errors import RigidtopError
+
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
 
@@ -98,6 +100,22 @@ def after(p: Sequence[Any], q: Sequence[Any]) -> tuple[Any, ...]:
 def conjugate(q: Floats) -> Floats:
     """The inverse of unit quaternions (…, 4), scalar first."""
     made: Floats = q * np.array([1.0, -1.0, -1.0, -1.0])
+    return made
+
+
+def units(states: Floats) -> Floats:
+    """The quaternions (N, 4) of states (n, N), with norm 1.
+
+    Raises RigidtopError where they are far from it.
+    """
+    q = states[:4].reshape(4, -1)
+    norms = np.linalg.norm(q, axis=0)
+    if not np.all((norms > 0.5) & (norms < 2)):  # also NaN
+        raise RigidtopError(
+            "the integration lost the attitude, its quaternion is far from a unit: "
+            "smaller rtol and atol are needed"
+        )
+    made: Floats = (q / norms).T
     return made
 
 

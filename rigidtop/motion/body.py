@@ -12,6 +12,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.rigid import RigidBody, Triple
+from rigidtop.motion.start import Start
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class AnyBody(RigidBody):
         True
         """
         start = Rotation.identity() if attitude is None else attitude
-        return Motion(self, start, checks.vector("omega", omega))
+        return Motion(self, Start(start, checks.vector("omega", omega)))
 
 
 @dataclass(frozen=True)

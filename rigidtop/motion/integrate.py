@@ -19,7 +19,7 @@ steps to nothing.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, cast, get_args
 
@@ -230,17 +230,17 @@ def on_both_sides(
     return states
 
 
-def counted_angles(
-    motion: Flow, times: Floats, start: tuple[float, float], upright: float
+def with_angles(
+    motion: Flow, times: Floats, start: tuple[float, float], spin: Mapping[str, Floats]
 ) -> Floats:
-    """φ and ψ at `times`, continuous along the motion from `start`, (2, N).
+    """The states (n, N) at `times`, and behind them φ and ψ, continuous along it from `start`.
 
     ψ is that in the frame of the state.  α and β, whose phases are half their sum and difference,
     are followed along the dense output with steps so short that neither can go round zero unseen,
     however far apart `times` are.  As long as one of them is exactly zero (a sleeping top) its
-    phase advances at the rate `upright`, or backwards.
+    phase advances at the rate that `state.spinning` calls upright, or backwards.
     """
-    phi, psi = start
+    (phi, psi), upright = start, float(spin["upright_phi_dot"])
     starts = (phi + psi) / 2, (phi - psi) / 2
     fractions = np.arange(SUBSTEPS) / SUBSTEPS
     steps = motion.steps
@@ -253,7 +253,8 @@ def counted_angles(
         for row in zip(z, starts, (-upright, upright), strict=True)
     ]
     half_sum, half_difference = np.stack(phases)[:, np.searchsorted(nodes, np.abs(times))]
-    return np.stack([half_sum + half_difference, half_sum - half_difference])
+    angles = [half_sum + half_difference, half_sum - half_difference]
+    return np.concatenate([motion.path(times), angles])
 
 
 def _refined(path: Callable[[Floats], Complexes], nodes: Floats) -> tuple[Floats, Complexes]:

@@ -25,11 +25,11 @@ import numpy as np
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import compiled, theta
-from rigidtop.motion.exact.heavy_orbit import CHANGING, Half, Orbit, Start, spinor
+from rigidtop.motion.exact.heavy_orbit import Half, Orbit, Start, spinor
 from rigidtop.motion.exact.numbers import ROUNDING, SMALLEST_PART, Arrays, Kit, Real, cubic
 from rigidtop.motion.exact.roots import NEAR_POLE, Roots, roots, unless_rounding
 from rigidtop.motion.exact.theta import Modulus, along, factor, modulus
-from rigidtop.motion.state import TopState, rates
+from rigidtop.motion.state import CHANGING, TopState, rates
 from rigidtop.trace import Solved, Written, written
 
 SMALLEST_TILT = 1e-150

@@ -19,7 +19,7 @@ from rigidtop.motion.exact.numbers import ROUNDING, Arrays, Kit, Real, Truth
 from rigidtop.motion.exact.roots import Roots
 from rigidtop.motion.exact.samples import BLOCK, Course, in_blocks
 from rigidtop.motion.exact.theta import Cubic, Factor, Modulus
-from rigidtop.motion.state import TopState
+from rigidtop.motion.state import CHANGING, TopState
 
 REGIMES = (
     "free precession",
@@ -34,9 +34,6 @@ REGIMES = (
     "waves",
 )
 """What an axis can do: see `Orbit.regime`, which takes the first that holds."""
-
-CHANGING = ("cos_half", "sin_half", "phi", "psi", "theta_dot", "v_phi")
-"""What of a state is not constant."""
 
 
 @dataclass(frozen=True)
