@@ -5,6 +5,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import Any, Generic, TypeVar, cast
 
+import numpy as np
+
 Word = TypeVar("Word")
 """A str, or an array of them."""
 
@@ -54,7 +56,10 @@ class Periods(ABC, Generic[Word, Number]):
     @property
     def precession_per_period(self) -> Number:
         """The angle by which the axis turns about the vertical, or about L, in that time (rad)."""
-        return cast(Number, self._of_orbit("precession_per_period"))
+        mean, period = np.asarray(self.mean_precession), np.asarray(self.nutation_period)
+        with np.errstate(invalid="ignore"):  # of 0 in a period without end
+            angle = np.where(mean == 0, 0.0, mean * period)
+        return cast(Number, angle if angle.ndim else angle.item())
 
     @property
     def mean_precession(self) -> Number:

@@ -49,10 +49,8 @@ class SymmetricTop(RigidBody):
     physical: bool | float = field(default=True, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        for name in ("lambda1", "lambda3", "M"):
-            object.__setattr__(self, name, checks.positive(name, getattr(self, name)))
-        for name in ("R", "g"):
-            object.__setattr__(self, name, checks.not_negative(name, getattr(self, name)))
+        checks.settle(self, checks.positive, "lambda1", "lambda3", "M")
+        checks.settle(self, checks.not_negative, "R", "g")
         shift = self.M * self.R**2
         central = self.lambda1 - shift
         if checks.truth("physical", self.physical) and not checks.triangle(

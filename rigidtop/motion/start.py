@@ -25,7 +25,7 @@ class Start:
     """In body components, rad/s."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "omega", checks.vector("omega", self.omega))
+        checks.settle(self, checks.vector, "omega")
         checks.single_rotation(self.attitude)
 
     @cached_property
@@ -59,7 +59,7 @@ class EulerStart:
     """In body components, rad/s."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "omega", checks.vector("omega", self.omega))
+        checks.settle(self, checks.vector, "omega")
 
     @cached_property
     def attitude(self) -> Rotation:

@@ -39,20 +39,22 @@ def started(
 ) -> SystemMotion:
     """See `System.motion`."""
     values = numbers(system.parameters, parameters).values()
-    names = system.names
-    start = [_initial("q", q, names.q, system), _initial("qdot", qdot, names.v, system)]
-    made = SystemMotion(system, tuple(map(float, values)), tuple(start[0]), tuple(start[1]))
+    places, rates = (
+        tuple(checks.number(x.name, value) for x, value in row(system, what, given).items())
+        for what, given in (("q", q), ("qdot", qdot))
+    )
+    made = SystemMotion(system, tuple(map(float, values)), places, rates)
     made.check()
     return made
 
 
-def _initial(what: str, given: Given, letters: Sequence[Symbol], system: Computed) -> list[float]:
-    """A row of n numbers, in the order of the coordinates."""
-    if given is None and what == "qdot":
-        return [0.0] * len(letters)
+def row(system: Computed, what: str, given: Given) -> dict[Symbol, Any]:
+    """What is given for each coordinate ("q") or velocity ("qdot"), in their order."""
+    letters = system.names.q if what == "q" else system.names.v
     shown = ", ".join(map(system.names.spelled, letters))
-    if given is None:
+    if given is None and what == "q":
         raise RigidtopError(f"where does it start? q = a number for each of {shown}")
+    given = {} if given is None else given
     if isinstance(given, Mapping):
         places = {}
         for key, value in given.items():
@@ -63,12 +65,12 @@ def _initial(what: str, given: Given, letters: Sequence[Symbol], system: Compute
         missing = [x.name for k, x in enumerate(letters) if k not in places]
         if missing and what == "q":
             raise RigidtopError(f"q has no number for {', '.join(missing)}")
-        row = [places.get(k, 0.0) for k in range(len(letters))]
+        values = [places.get(k, 0.0) for k in range(len(letters))]
     else:
-        row = [given] if np.ndim(given) == 0 else list(given)
-    if len(row) != len(letters):
-        raise RigidtopError(f"{what} has {len(row)} numbers, for {shown}")
-    return [checks.number(x.name, value) for x, value in zip(letters, row, strict=True)]
+        values = list(given) if np.iterable(given) and not isinstance(given, str) else [given]
+    if len(values) != len(letters):
+        raise RigidtopError(f"{what} has {len(values)} numbers, for {shown}")
+    return dict(zip(letters, values, strict=True))
 
 
 def _place(key: Expr, letters: Sequence[Symbol], system: Computed) -> int | None:

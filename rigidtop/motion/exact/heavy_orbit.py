@@ -156,13 +156,6 @@ class Orbit:
             return np.where((self.m1 > 0) & ~np.asarray(self.asymptotic), period, np.inf)
 
     @property
-    def precession_per_period(self) -> Real:
-        """By how much φ grows in a nutation period (rad), without half turns at the vertical."""
-        with np.errstate(all="ignore"):
-            mean = self.mean_precession
-            return np.where(mean == 0, 0.0, mean * self.nutation_period)
-
-    @property
     def mean_precession(self) -> Real:
         """The mean of φ̇ over a nutation, or for all times if that never ends (rad/s)."""
         with np.errstate(all="ignore"):

@@ -50,11 +50,9 @@ class SlidingTop(Sliding):
     """
 
     def __post_init__(self) -> None:
-        for name in ("lambda1", "lambda3", "M", "R", "g"):
-            object.__setattr__(self, name, checks.positive(name, getattr(self, name)))
-        for name in ("tip", "mu", "viscosity", "drag", "drag1", "drag3"):
-            object.__setattr__(self, name, checks.not_negative(name, getattr(self, name)))
-        object.__setattr__(self, "fall", checks.number("fall", self.fall))
+        checks.settle(self, checks.positive, "lambda1", "lambda3", "M", "R", "g")
+        checks.settle(self, checks.not_negative, "tip", "mu", "viscosity", "drag", "drag1", "drag3")
+        checks.settle(self, checks.number, "fall")
         if not 0 < self.fall <= math.pi:
             raise RigidtopError(
                 f"fall must be an angle of more than 0 and at most pi radians, not {self.fall:g}"
