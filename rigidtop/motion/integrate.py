@@ -106,20 +106,27 @@ Held = Callable[[float, Floats], Floats]
 """A time and a state in, the state that keeps the constraints out."""
 
 
-def flow(
-    rates: Rates,
-    start: Floats,
-    end: float,
-    accuracy: Accuracy,
-    sizes: Sizes,
-    held: Held | None = None,
-) -> Flow:
-    """Integrate ẋ = rates(x) from t = 0 to `end`, which may be negative.
+@dataclass(frozen=True)
+class Problem:
+    """ẋ = rates(x), from a state at t = 0 on: what a solver has to know of a motion."""
 
-    Where it is `held` the motion is brought back whenever the solver's errors have led it away.
+    rates: Rates
+    start: Floats
+    sizes: Sizes
+    series: Callable[[float, float], Flow] | None = None
+    """The same by Taylor series, from the last time and `rtol`."""
+    held: Held | None = None
+    """Brings the motion back where the solver's errors have led it away from constraints."""
+
+
+def flow(problem: Problem, end: float, accuracy: Accuracy) -> Flow:
+    """Integrate from t = 0 to `end`, which may be negative.
+
     Raises RigidtopError with the solver's message when it does not arrive.
     """
-    return joined(list(_stages(rates, start, end, accuracy, sizes, held)))
+    if accuracy.method == TAYLOR and problem.series is not None:
+        return problem.series(end, accuracy.rtol)
+    return joined(list(_stages(problem, end, accuracy)))
 
 
 def joined(pieces: Sequence[Flow]) -> Flow:
@@ -139,22 +146,16 @@ def joined(pieces: Sequence[Flow]) -> Flow:
     return Flow(path, np.concatenate([np.zeros(1), *(piece.steps[1:] for piece in pieces)]))
 
 
-def _stages(
-    rates: Rates,
-    start: Floats,
-    end: float,
-    accuracy: Accuracy,
-    sizes: Sizes,
-    held: Held | None,
-) -> Iterator[Flow]:
+def _stages(problem: Problem, end: float, accuracy: Accuracy) -> Iterator[Flow]:
     """The motion from 0 to `end` in pieces; usually one."""
+    rates, sizes, held = problem.rates, problem.sizes, problem.held
 
     def right_hand_side(_: float, state: Floats) -> tuple[float, ...]:
         return rates(state.tolist())  # plain floats: several times faster than NumPy's
 
-    if not np.all(np.isfinite(right_hand_side(0.0, start))):
+    if not np.all(np.isfinite(right_hand_side(0.0, problem.start))):
         raise RigidtopError("the rates overflow at the start: the velocities are too large")
-    time, state, step, returns = 0.0, start, None, 0
+    time, state, step, returns = 0.0, problem.start, None, 0
     while time != end:
         if held is not None:
             state = held(time, state)

@@ -15,10 +15,10 @@ from rigidtop.motion import checks, closed, systems, taylor
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy, heavy_orbit, samples
 from rigidtop.motion.integrate import (
-    TAYLOR,
     Accuracy,
     Flow,
     Flows,
+    Problem,
     flow,
     on_both_sides,
     with_angles,
@@ -151,10 +151,9 @@ class Motion(Moving, Periods[str, float]):
         if self.body.symmetric:
             parameters = moments[0], moments[2], 1.0, 1.0, weight[2], self.omega[2]
         start = self._initial()
-        if accuracy.method == TAYLOR:
-            return lambda end: taylor.flow(system, parameters, start, end, accuracy)
-        rates, sizes = system.equations(*parameters), system.sizes(parameters)
-        return lambda end: flow(rates, start, end, accuracy, sizes)
+        series = partial(taylor.flow, system, parameters, start)
+        problem = Problem(system.equations(*parameters), start, system.sizes(parameters), series)
+        return lambda end: flow(problem, end, accuracy)
 
     def _initial(self) -> Floats:
         """The state at t = 0: q and ω, or ω₁ and ω₂ alone for a symmetric body."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from html import escape
 from typing import Any
 
@@ -18,7 +18,7 @@ from rigidtop.codegen.heyoka import on_symbols
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, on_both_sides
+from rigidtop.motion.integrate import Accuracy, Flow, Problem, flow, on_both_sides
 from rigidtop.motion.rows import Rows
 from rigidtop.parameters import in_one_line
 from rigidtop.system.events import zeros
@@ -276,14 +276,12 @@ class SystemMotion:
     def _flow(
         self, start: Floats, end: float, accuracy: Accuracy, sizes: Callable[[Floats], Floats]
     ) -> Flow:
-        if accuracy.method == TAYLOR:
-            return self._taylor(start, end, accuracy, sizes(start))
-        if not self.system.constraints:
-            return flow(self._rates_at, start, end, accuracy, sizes)
-        unit = sizes(start)
-        return flow(self._rates_at, start, end, accuracy, lambda _: unit, self._held)
+        held, unit = self._held if self.system.constraints else None, sizes(start)
+        series = partial(self._taylor, start, unit)
+        own = sizes if held is None else lambda _: unit
+        return flow(Problem(self._rates_at, start, own, series, held), end, accuracy)
 
-    def _taylor(self, start: Floats, end: float, accuracy: Accuracy, unit: Floats) -> Flow:
+    def _taylor(self, start: Floats, unit: Floats, end: float, rtol: float) -> Flow:
         """By heyoka's Taylor series, of the state in `unit`s: below 1 its tolerance is absolute."""
         heyoka = taylor.loaded()
         numeric, n = self.system.numeric, len(self.q)
@@ -300,7 +298,7 @@ class SystemMotion:
         while values and str(given[len(values) - 1]) not in occurring:
             values.pop()
         rows = [(x, rate / size) for x, rate, size in zip(state, right, unit, strict=True)]
-        integrator = heyoka.taylor_adaptive(rows, start / unit, pars=values, tol=accuracy.rtol)
+        integrator = heyoka.taylor_adaptive(rows, start / unit, pars=values, tol=rtol)
         held = self._held if self.system.constraints else None
         return taylor.propagated(integrator, end, unit, held=held)
 

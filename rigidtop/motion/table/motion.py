@@ -16,13 +16,13 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import TAYLOR, Accuracy, joined, on_both_sides, with_angles
+from rigidtop.motion.integrate import TAYLOR, Accuracy, on_both_sides, with_angles
 from rigidtop.motion.rigid import Pair, Triple
 from rigidtop.motion.start import AnyStart, Moving, from_angles
 from rigidtop.motion.state import TopState, of_frame, of_start, spinning
 from rigidtop.motion.table import smooth
 from rigidtop.motion.table.contact import VARIABLES, Contact, Sliding
-from rigidtop.motion.table.phases import Course, Event, course
+from rigidtop.motion.table.phases import Course, Event, course, ending
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 
 
@@ -227,28 +227,26 @@ class SlidingMotion(Moving):
             )
         accuracy = Accuracy(method, rtol, atol)
         contact, start, last = Contact(self.body), np.array(self._initial()), float(times.max())
-        found = course(contact, start.tolist(), last, accuracy) if last else Course((), ())
-        if found.ended is not None:
-            end = found.ended
+        run = course(contact, start.tolist(), last, accuracy) if last else Course((), ())
+        end = ending(run.events)
+        if end is not None:
             times = times[times <= end.time]
             if len(times) == 0:
                 raise RigidtopError(
                     f"the motion ends at t = {end.time:g} ({end.kind}): ask for earlier times"
                 )
-        spin = spinning(self.body, self.omega[2])
+        spin, angles = spinning(self.body, self.omega[2]), self.initial.angles
         states = on_both_sides(
-            lambda _: joined([phase.flow for phase in found.phases]),
+            lambda _: run.flow,
             start,
             times,
-            lambda motion, ordered: with_angles(motion, ordered, self.initial.angles, spin),
+            lambda motion, ordered: with_angles(motion, ordered, angles, spin),
         )
         omega3, turn = states[6], states[9]
         state = of_frame(states[:6], states[VARIABLES:], turn, spinning(self.body, omega3))
+        rolling = run.rolling(times) if last else np.repeat(self.start().rolling, len(times))
         table = states[[7, 8, 10, 11, 12, 13]]
-        ends = np.array([phase.flow.steps[-1] for phase in found.phases[:-1]])
-        laws = np.array([phase.rolling for phase in found.phases] or self.start().rolling)
-        rolling = laws[np.searchsorted(ends, times)]
-        return self._trajectory(times, state, table, rolling, found.events)
+        return self._trajectory(times, state, table, rolling, run.events)
 
     def _times(self, t: ArrayLike) -> Floats:
         rate = math.hypot(*self.omega) + math.sqrt(self.body.g / self.body.R)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.table.contact import Contact, Sliding
-from rigidtop.motion.table.phases import ENDINGS, Event
+from rigidtop.motion.table.phases import Event, ending
 from rigidtop.motion.trajectory import TopTrajectory
 
 
@@ -58,7 +58,7 @@ class SlidingTrajectory(TopTrajectory):
     @property
     def ended(self) -> Event | None:
         """The fall or the lift-off after which there are no rows, None if there was none."""
-        return self.events[-1] if self.events and self.events[-1].kind in ENDINGS else None
+        return ending(self.events)
 
     @cached_property
     def _known(self) -> Floats:
