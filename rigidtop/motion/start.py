@@ -22,10 +22,9 @@ class Start:
     """Body components to space components."""
 
     omega: Triple
-    """In body components, rad/s."""
+    """In body components, rad/s: `checks.vector` gives it."""
 
     def __post_init__(self) -> None:
-        checks.settle(self, checks.vector, "omega")
         checks.single_rotation(self.attitude)
 
     @cached_property
