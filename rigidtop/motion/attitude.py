@@ -20,6 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from rigidtop.errors import RigidtopError
+
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
 
@@ -30,12 +32,9 @@ def from_euler_angles(theta: float, phi: float, psi: float) -> Rotation:
     >>> from_euler_angles(np.pi / 2, 0.0, 0.0).apply([0, 0, 1]).round(12)    # e₃ lies along x̂
     array([1., 0., 0.])
     """
-    c, s, _ = of_polar_angle(theta)
-    cos_phi, sin_phi = math.cos(phi / 2), math.sin(phi / 2)
-    cos_psi, sin_psi = math.cos(psi / 2), math.sin(psi / 2)
-    q0, q3 = cos_phi * cos_psi - sin_phi * sin_psi, sin_phi * cos_psi + cos_phi * sin_psi
-    q2, q1 = cos_phi * cos_psi + sin_phi * sin_psi, cos_phi * sin_psi - sin_phi * cos_psi
-    return Rotation.from_quat((s * q1, s * q2, c * q3, c * q0))
+    cos_half, sin_half, _ = of_polar_angle(theta)
+    q0, q1, q2, q3 = components(cos_half, sin_half, phi, psi, math)
+    return Rotation.from_quat((q1, q2, q3, q0))
 
 
 def of_polar_angle(theta: Any, library: Any = math) -> tuple[Any, Any, Any]:
@@ -60,21 +59,23 @@ def rotation(q: Floats) -> Rotation:
 def from_spinors(
     cos_half: Floats, sin_half: Floats, phi: Floats | float, psi: Floats | float
 ) -> Floats:
-    """Quaternions (…, 4), scalar first, from cos(θ/2), sin(θ/2), φ and ψ.
+    """Quaternions (…, 4), scalar first, from cos(θ/2), sin(θ/2), φ and ψ."""
+    return np.stack(components(cos_half, sin_half, phi, psi, np), axis=-1)
+
+
+def components(cos_half: Any, sin_half: Any, phi: Any, psi: Any, library: Any) -> tuple[Any, ...]:
+    """The same as q₀ … q₃, of floats by `math` or of arrays by NumPy.
 
     φ and ψ enter by their own sines: after 10⁹ turns of a fast spin ψ is known to 10⁻⁷, and e₃,
     which does not depend on it, must not suffer.
     """
-    cos_phi, sin_phi = np.cos(phi / 2), np.sin(phi / 2)
-    cos_psi, sin_psi = np.cos(psi / 2), np.sin(psi / 2)
-    return np.stack(
-        [
-            cos_half * (cos_phi * cos_psi - sin_phi * sin_psi),
-            -sin_half * (sin_phi * cos_psi - cos_phi * sin_psi),
-            sin_half * (cos_phi * cos_psi + sin_phi * sin_psi),
-            cos_half * (sin_phi * cos_psi + cos_phi * sin_psi),
-        ],
-        axis=-1,
+    cos_phi, sin_phi = library.cos(phi / 2), library.sin(phi / 2)
+    cos_psi, sin_psi = library.cos(psi / 2), library.sin(psi / 2)
+    return (
+        cos_half * (cos_phi * cos_psi - sin_phi * sin_psi),
+        -sin_half * (sin_phi * cos_psi - cos_phi * sin_psi),
+        sin_half * (cos_phi * cos_psi + sin_phi * sin_psi),
+        cos_half * (sin_phi * cos_psi + cos_phi * sin_psi),
     )
 
 
@@ -98,6 +99,22 @@ def after(p: Sequence[Any], q: Sequence[Any]) -> tuple[Any, ...]:
 def conjugate(q: Floats) -> Floats:
     """The inverse of unit quaternions (…, 4), scalar first."""
     made: Floats = q * np.array([1.0, -1.0, -1.0, -1.0])
+    return made
+
+
+def units(states: Floats) -> Floats:
+    """The quaternions (N, 4) of states (n, N), with norm 1.
+
+    Raises RigidtopError where they are far from it.
+    """
+    q = states[:4].reshape(4, -1)
+    norms = np.linalg.norm(q, axis=0)
+    if not np.all((norms > 0.5) & (norms < 2)):  # also NaN
+        raise RigidtopError(
+            "the integration lost the attitude, its quaternion is far from a unit: "
+            "smaller rtol and atol are needed"
+        )
+    made: Floats = (q / norms).T
     return made
 
 

@@ -12,6 +12,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.rigid import RigidBody, Triple
+from rigidtop.motion.start import Start
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class AnyBody(RigidBody):
         True
         """
         start = Rotation.identity() if attitude is None else attitude
-        return Motion(self, start, checks.vector("omega", omega))
+        return Motion(self, Start(start, checks.vector("omega", omega)))
 
 
 @dataclass(frozen=True)
@@ -60,8 +61,7 @@ body has such moments about its centre of mass (physical=False lets them through
     physical: bool | float = field(default=True, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        for name in ("lambda1", "lambda2", "lambda3"):
-            object.__setattr__(self, name, checks.positive(name, getattr(self, name)))
+        checks.settle(self, checks.positive, "lambda1", "lambda2", "lambda3")
         if checks.truth("physical", self.physical) and not checks.triangle(
             self.moments, max(self.moments)
         ):
@@ -96,12 +96,10 @@ class HeavyBody(AnyBody):
     physical: bool | float = field(default=True, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        for name in ("lambda1", "lambda2", "lambda3", "M"):
-            object.__setattr__(self, name, checks.positive(name, getattr(self, name)))
-        object.__setattr__(self, "g", checks.not_negative("g", self.g))
-        centre = checks.vector("centre_of_mass", self.centre_of_mass)
-        object.__setattr__(self, "centre_of_mass", centre)
-        arm = np.array(centre)
+        checks.settle(self, checks.positive, "lambda1", "lambda2", "lambda3", "M")
+        checks.settle(self, checks.not_negative, "g")
+        checks.settle(self, checks.vector, "centre_of_mass")
+        arm = np.array(self.centre_of_mass)
         shift = self.M * (arm @ arm * np.eye(3) - np.outer(arm, arm))
         central = np.linalg.eigvalsh(np.diag(self.moments) - shift)
         if checks.truth("physical", self.physical) and not checks.triangle(

@@ -30,6 +30,7 @@ from rigidtop.motion import checks, equations
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import Accuracy
 from rigidtop.motion.motion import Motion
+from rigidtop.motion.start import Start
 from rigidtop.motion.trajectory import Trajectory
 
 NUDGE = 1e-7
@@ -264,9 +265,7 @@ LAWS: Mapping[str, Callable[[_Angles], float]] = MappingProxyType(
 def _drift(path: Trajectory) -> dict[str, float]:
     """Of energy, p_φ, p_ψ and |L|, those that the motion keeps, relative as in `drift`."""
     body, start = path.motion.body, path.motion.start()
-    kinetic = float(np.dot(body.moments, np.square(path.motion.omega))) / 2
-    energy = (kinetic + float(np.linalg.norm(body.weight))) or 1.0
-    momentum = math.sqrt(2 * max(body.moments)) * math.sqrt(energy)
+    energy, momentum = path.scales
     kept: dict[str, tuple[Callable[[Trajectory], Floats], float]] = {
         "energy": (lambda path: path.energy, energy),
         "p_phi": (lambda path: path.angular_momentum[:, 2], momentum),
@@ -285,8 +284,8 @@ def _amplification(motion: Motion, times: Floats) -> float:
     """The largest change of the attitude at `times`, over the change of the start, at least 1."""
 
     def followed(attitude: Rotation, omega: Floats) -> Trajectory:
-        changed = Motion(motion.body, attitude, (omega[0], omega[1], omega[2]))
-        return changed.exact(times)
+        start = Start(attitude, (omega[0], omega[1], omega[2]))
+        return Motion(motion.body, start).exact(times)
 
     omega = np.array(motion.omega)
     reference = followed(motion.attitude, omega)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -53,6 +53,12 @@ def not_negative(name: str, value: object) -> float:
     if result < 0:
         raise RigidtopError(f"{name} must be zero or positive, not {result:g}")
     return _not_tiny(name, result) if result else result
+
+
+def settle(body: object, check: Callable[[str, object], object], *names: str) -> None:
+    """Put what a check makes of them in the place of fields of a frozen dataclass."""
+    for name in names:
+        object.__setattr__(body, name, check(name, getattr(body, name)))
 
 
 def whole(name: str, value: object, least: int) -> int:

@@ -14,6 +14,7 @@ from rigidtop.motion import attitude as attitudes
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy, heavy_orbit, samples
 from rigidtop.motion.rigid import RigidBody
+from rigidtop.motion.start import AnyStart, Start
 from rigidtop.trace import Solved
 
 
@@ -27,6 +28,12 @@ class Axis:
     """MgR > 0."""
     turn: Floats | None
     """A quaternion from axes of which the third points to the centre of mass; None: the body's."""
+
+    def start(self, start: AnyStart) -> heavy_orbit.Start:
+        """What a motion starts from, in axes of which it is the third."""
+        mu, omega3 = self.weight / self.lambda1, start.omega[2]
+        b = self.lambda3 * omega3 / self.lambda1
+        return heavy_orbit.Start(mu, b, omega3, *start.halves, *start.rates, *start.angles)
 
 
 def axis(body: RigidBody) -> Axis:
@@ -56,47 +63,24 @@ def axis(body: RigidBody) -> Axis:
     )
 
 
-def solved(body: RigidBody, attitude: Rotation, omega: tuple[float, float, float]) -> Solved:
+def solved(body: RigidBody, start: AnyStart) -> Solved:
     """The closed form of a motion; RigidtopError for a body that has none here."""
     if not any(body.weight):
-        return free.solved(body.moments, omega)
+        return free.solved(body.moments, start.omega)
     found = axis(body)
-    q, rates = attitudes.quaternions(attitude), omega
     if found.turn is not None:
-        q = attitudes.product(q, found.turn)
-        first, second, third = attitudes.rotation(found.turn).inv().apply(omega).tolist()
-        rates = first, second, third
-    phi, psi = attitudes.azimuth_and_spin(attitudes.rotation(q), rates)
-    alpha, beta = attitudes.spinors(q)
-    return heavy.solved(
-        start(
-            found,
-            omega3=rates[2],
-            halves=(float(abs(alpha)), float(abs(beta))),
-            rates=attitudes.to_nodes(*rates[:2], psi),
-            angles=(phi, psi),
-        )
-    )
-
-
-def start(
-    body: Axis,
-    omega3: float,
-    halves: tuple[float, float],
-    rates: tuple[float, float],
-    angles: tuple[float, float],
-) -> heavy_orbit.Start:
-    """From cos(θ/2) and sin(θ/2), θ̇ and φ̇ sin θ, φ and ψ."""
-    mu, b = body.weight / body.lambda1, body.lambda3 * omega3 / body.lambda1
-    return heavy_orbit.Start(mu, b, omega3, *halves, *rates, *angles)
+        turn = attitudes.rotation(found.turn)
+        first, second, third = turn.inv().apply(start.omega).tolist()
+        start = Start(start.attitude * turn, (first, second, third))
+    return heavy.solved(found.start(start))
 
 
 def states(
-    solved: Solved, body: RigidBody, attitude: Rotation, times: Floats, compiled: bool
+    solved: Solved, body: RigidBody, start: AnyStart, times: Floats, compiled: bool
 ) -> tuple[Floats, Floats]:
     """Quaternions (N, 4), scalar first, body to space, and ω (N, 3) in body components (rad/s)."""
     if not any(body.weight):
-        rows = _free_states(solved, attitude, times, compiled)
+        rows = _free_states(solved, start.attitude, times, compiled)
         return rows[:4].T, rows[4:].T
     s, turn = heavy.states(solved, times, compiled), axis(body).turn
     if turn is None:

@@ -19,7 +19,7 @@ steps to nothing.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, cast, get_args
 
@@ -106,20 +106,27 @@ Held = Callable[[float, Floats], Floats]
 """A time and a state in, the state that keeps the constraints out."""
 
 
-def flow(
-    rates: Rates,
-    start: Floats,
-    end: float,
-    accuracy: Accuracy,
-    sizes: Sizes,
-    held: Held | None = None,
-) -> Flow:
-    """Integrate ẋ = rates(x) from t = 0 to `end`, which may be negative.
+@dataclass(frozen=True)
+class Problem:
+    """ẋ = rates(x), from a state at t = 0 on: what a solver has to know of a motion."""
 
-    Where it is `held` the motion is brought back whenever the solver's errors have led it away.
+    rates: Rates
+    start: Floats
+    sizes: Sizes
+    series: Callable[[float, float], Flow] | None = None
+    """The same by Taylor series, from the last time and `rtol`."""
+    held: Held | None = None
+    """Brings the motion back where the solver's errors have led it away from constraints."""
+
+
+def flow(problem: Problem, end: float, accuracy: Accuracy) -> Flow:
+    """Integrate from t = 0 to `end`, which may be negative.
+
     Raises RigidtopError with the solver's message when it does not arrive.
     """
-    return joined(list(_stages(rates, start, end, accuracy, sizes, held)))
+    if accuracy.method == TAYLOR and problem.series is not None:
+        return problem.series(end, accuracy.rtol)
+    return joined(list(_stages(problem, end, accuracy)))
 
 
 def joined(pieces: Sequence[Flow]) -> Flow:
@@ -139,22 +146,16 @@ def joined(pieces: Sequence[Flow]) -> Flow:
     return Flow(path, np.concatenate([np.zeros(1), *(piece.steps[1:] for piece in pieces)]))
 
 
-def _stages(
-    rates: Rates,
-    start: Floats,
-    end: float,
-    accuracy: Accuracy,
-    sizes: Sizes,
-    held: Held | None,
-) -> Iterator[Flow]:
+def _stages(problem: Problem, end: float, accuracy: Accuracy) -> Iterator[Flow]:
     """The motion from 0 to `end` in pieces; usually one."""
+    rates, sizes, held = problem.rates, problem.sizes, problem.held
 
     def right_hand_side(_: float, state: Floats) -> tuple[float, ...]:
         return rates(state.tolist())  # plain floats: several times faster than NumPy's
 
-    if not np.all(np.isfinite(right_hand_side(0.0, start))):
+    if not np.all(np.isfinite(right_hand_side(0.0, problem.start))):
         raise RigidtopError("the rates overflow at the start: the velocities are too large")
-    time, state, step, returns = 0.0, start, None, 0
+    time, state, step, returns = 0.0, problem.start, None, 0
     while time != end:
         if held is not None:
             state = held(time, state)
@@ -230,17 +231,17 @@ def on_both_sides(
     return states
 
 
-def counted_angles(
-    motion: Flow, times: Floats, start: tuple[float, float], upright: float
+def with_angles(
+    motion: Flow, times: Floats, start: tuple[float, float], spin: Mapping[str, Floats]
 ) -> Floats:
-    """φ and ψ at `times`, continuous along the motion from `start`, (2, N).
+    """The states (n, N) at `times`, and behind them φ and ψ, continuous along it from `start`.
 
     ψ is that in the frame of the state.  α and β, whose phases are half their sum and difference,
     are followed along the dense output with steps so short that neither can go round zero unseen,
     however far apart `times` are.  As long as one of them is exactly zero (a sleeping top) its
-    phase advances at the rate `upright`, or backwards.
+    phase advances at the rate that `state.spinning` calls upright, or backwards.
     """
-    phi, psi = start
+    (phi, psi), upright = start, float(spin["upright_phi_dot"])
     starts = (phi + psi) / 2, (phi - psi) / 2
     fractions = np.arange(SUBSTEPS) / SUBSTEPS
     steps = motion.steps
@@ -253,7 +254,8 @@ def counted_angles(
         for row in zip(z, starts, (-upright, upright), strict=True)
     ]
     half_sum, half_difference = np.stack(phases)[:, np.searchsorted(nodes, np.abs(times))]
-    return np.stack([half_sum + half_difference, half_sum - half_difference])
+    angles = [half_sum + half_difference, half_sum - half_difference]
+    return np.concatenate([motion.path(times), angles])
 
 
 def _refined(path: Callable[[Floats], Complexes], nodes: Floats) -> tuple[Floats, Complexes]:

@@ -6,7 +6,7 @@ Work goes in chunks, so memory is little more than what the results take.
 from __future__ import annotations
 
 import math
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, fields
 from functools import cached_property
@@ -21,6 +21,7 @@ from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy, heavy_orbit
 from rigidtop.motion.integrate import Progress
+from rigidtop.motion.periods import Periods
 from rigidtop.motion.state import TopState
 
 CHUNK = 1 << 13
@@ -107,7 +108,7 @@ def free_motions(*, moments: ArrayLike, omega: ArrayLike) -> FreeMotions:
     return FreeMotions(inertia, rates, shape)
 
 
-class _Motions(ABC):
+class _Motions(Periods[NDArray[np.str_], Floats]):
     """What motions of tops and of free bodies have in common: one number each, of shape `shape`."""
 
     shape: tuple[int, ...]
@@ -116,41 +117,13 @@ class _Motions(ABC):
     def _orbits(self, index: NDArray[np.intp]) -> free.Orbit | heavy_orbit.Orbit:
         """Of the motions whose place in the flattened array is `index`."""
 
-    def _each(self, name: str) -> Any:
-        """A quantity of every orbit; of those that are pairs, a pair."""
-
+    def _of_orbit(self, name: str) -> Any:
         def quantities(index: NDArray[np.intp], _: Floats) -> list[Any]:
             found = getattr(self._orbits(index), name)
             return list(found) if isinstance(found, tuple) else [found]
 
         results = _in_chunks(quantities, np.zeros(()), self.shape, None)
         return tuple(results) if len(results) > 1 else results[0]
-
-    @property
-    def regime(self) -> NDArray[np.str_]:
-        """What kind of motion each is: see `Motion.regime`."""
-        return np.asarray(self._each("regime"))
-
-    @property
-    def turning_points(self) -> tuple[Floats, Floats]:
-        """The smallest and the largest θ (rad): see `Motion.turning_points`."""
-        smallest, largest = self._each("turning_points")
-        return smallest, largest
-
-    @property
-    def nutation_period(self) -> Floats:
-        """The time from one smallest θ to the next (s): see `Motion.nutation_period`."""
-        return np.asarray(self._each("nutation_period"))
-
-    @property
-    def precession_per_period(self) -> Floats:
-        """The angle of precession in that time (rad): see `Motion.precession_per_period`."""
-        return np.asarray(self._each("precession_per_period"))
-
-    @property
-    def mean_precession(self) -> Floats:
-        """The mean rate of precession (rad/s): see `Motion.mean_precession`."""
-        return np.asarray(self._each("mean_precession"))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -3,50 +3,39 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cached_property, partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.spatial.transform import Rotation
 
-from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks, closed, systems, taylor
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy, heavy_orbit, samples
 from rigidtop.motion.integrate import (
-    TAYLOR,
     Accuracy,
     Flow,
     Flows,
-    counted_angles,
+    Problem,
     flow,
     on_both_sides,
+    with_angles,
 )
+from rigidtop.motion.periods import Periods
 from rigidtop.motion.rigid import RigidBody, SymmetricTop
-from rigidtop.motion.start import Start
-from rigidtop.motion.state import TopState, of_spinors, spinning
+from rigidtop.motion.start import Moving
+from rigidtop.motion.state import TopState, of_frame, of_numbers, of_start, spinning
 from rigidtop.motion.trajectory import BodyTrajectory, SampledTop, TopTrajectory, Trajectory
 from rigidtop.trace import Solved
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class Motion(Moving, Periods[str, float]):
     """The motion of a free or heavy body from its initial state; made by the body's `motion`."""
 
     body: RigidBody
-
-    attitude: Rotation
-    """At t = 0, body components to space components."""
-
-    omega: tuple[float, float, float]
-    """Rotational velocity at t = 0, body components, rad/s."""
-
-    def __post_init__(self) -> None:
-        checks.single_rotation(self.attitude)
-        object.__setattr__(self, "omega", checks.vector("omega", self.omega))
 
     def __getstate__(self) -> dict[str, object]:
         """What a copy in another process needs: it writes out the closed form anew."""
@@ -81,7 +70,7 @@ class Motion:
         """
         times = checks.times(t)
         return BodyTrajectory(
-            self, times, *closed.states(self.solved, self.body, self.attitude, times, compiled)
+            self, times, *closed.states(self.solved, self.body, self.initial, times, compiled)
         )
 
     def integrate(
@@ -124,7 +113,7 @@ class Motion:
     @cached_property
     def solved(self) -> Solved:
         """The closed form, for one time."""
-        return closed.solved(self.body, self.attitude, self.omega)
+        return closed.solved(self.body, self.initial)
 
     @property
     def orbit(self) -> free.Orbit | heavy_orbit.Orbit:
@@ -132,53 +121,17 @@ class Motion:
         found: free.Orbit | heavy_orbit.Orbit = self.solved.orbit
         return found
 
-    @property
-    def regime(self) -> str:
-        """What kind of motion it is, to rounding of the initial state.
-
-        Of a free body: "short axis" or "long axis" (the largest or the smallest moment's, about
-        which ω circles in the body), "separatrix", "regular precession" (two equal moments) or
-        "steady" (ω constant).  Of a heavy symmetric body: "sleeping" and "hanging" (at rest, the
-        centre of mass above or below the pivot), "free precession" (no weight), "steady",
-        "asymptotic" (to the upright), "plane" (a pendulum), "through the vertical", "waves",
-        "cusps", "loops".
-        """
-        return str(self.orbit.regime)
+    def _of_orbit(self, name: str) -> Any:
+        quantity = getattr(self.orbit, name)
+        if isinstance(quantity, tuple):
+            return tuple(float(each) for each in quantity)
+        return np.asarray(quantity).item()
 
     @property
     def turning_points(self) -> tuple[float, float]:
-        """The smallest and the largest θ (rad).
-
-        Of a top θ is the angle between e₃ and the vertical, of another heavy body that between the
-        vertical and the direction to its centre of mass; of a free body that between L and the
-        principal axis about which ω circles, towards the side on which it is.
-        """
-        smallest, largest = (float(angle) for angle in self.orbit.turning_points)
+        smallest, largest = super().turning_points
         below = self.body.symmetric and self.body.weight[2] < 0  # e₃ points away from the centre
         return (math.pi - largest, math.pi - smallest) if below else (smallest, largest)
-
-    @property
-    def nutation_period(self) -> float:
-        """The time from one smallest θ to the next (s).
-
-        Where θ is constant, that of a small nutation; infinite where there is no next.
-        """
-        return float(self.orbit.nutation_period)
-
-    @property
-    def precession_per_period(self) -> float:
-        """The angle by which the axis turns about the vertical, or about L, in that time (rad)."""
-        return float(self.orbit.precession_per_period)
-
-    @property
-    def mean_precession(self) -> float:
-        """The mean rate of that turning (rad/s).
-
-        Where the axis is constant, that of its neighbours.  An axis that passes through the
-        vertical, to rounding of the initial state, comes out on the other side; this half turn is
-        none of precession, so a pendulum that swings in a plane has 0.
-        """
-        return float(self.orbit.mean_precession)
 
     @property
     def rate(self) -> float:
@@ -198,10 +151,9 @@ class Motion:
         if self.body.symmetric:
             parameters = moments[0], moments[2], 1.0, 1.0, weight[2], self.omega[2]
         start = self._initial()
-        if accuracy.method == TAYLOR:
-            return lambda end: taylor.flow(system, parameters, start, end, accuracy)
-        rates, sizes = system.equations(*parameters), system.sizes(parameters)
-        return lambda end: flow(rates, start, end, accuracy, sizes)
+        series = partial(taylor.flow, system, parameters, start)
+        problem = Problem(system.equations(*parameters), start, system.sizes(parameters), series)
+        return lambda end: flow(problem, end, accuracy)
 
     def _initial(self) -> Floats:
         """The state at t = 0: q and ω, or ω₁ and ω₂ alone for a symmetric body."""
@@ -210,7 +162,7 @@ class Motion:
 
     def _attitudes(self, states: Floats, times: Floats) -> tuple[Floats, Floats]:
         """Unit quaternions (N, 4) and ω (N, 3) of states (n, N), with the turn about e₃ back."""
-        frame = _units(states)
+        frame = attitudes.units(states)
         if not self.body.symmetric:
             return frame, states[4:].reshape(3, -1).T
         spin = self.omega[2]
@@ -222,62 +174,20 @@ class Motion:
         return attitudes.product(frame, turn), omega
 
 
-def _units(states: Floats) -> Floats:
-    """The quaternions (N, 4) of states (n, N), with norm 1."""
-    quaternions = states[:4].reshape(4, -1)
-    norms = np.linalg.norm(quaternions, axis=0)
-    if not np.all((norms > 0.5) & (norms < 2)):  # also NaN
-        raise RigidtopError(
-            "the integration lost the attitude, its quaternion is far from a unit: "
-            "smaller rtol and atol are needed"
-        )
-    made: Floats = (quaternions / norms).T
-    return made
-
-
 @dataclass(frozen=True, eq=False)
 class TopMotion(Motion):
     """The motion of a symmetric top; made by `HeavyTop.motion`."""
 
     body: SymmetricTop
 
-    phi: float = 0.0
-    """φ at t = 0, from which φ(t) continues (rad)."""
-
-    psi: float = 0.0
-    """ψ at t = 0, from which ψ(t) continues (rad)."""
-
     def start(self) -> TopTrajectory:
         """The initial state, as a trajectory of one row."""
-        return self._trajectory(
-            self._initial()[:, None], np.zeros(1), np.array([self.phi]), np.array([self.psi])
-        )
-
-    @property
-    def _solvable(self) -> heavy_orbit.Start:
-        first = self.start()
-        return self._of_halves(
-            halves=(float(first.cos_half[0]), float(first.sin_half[0])),
-            rates=(float(first.theta_dot[0]), float(first.v_phi[0])),
-        )
-
-    def _of_halves(
-        self, halves: tuple[float, float], rates: tuple[float, float]
-    ) -> heavy_orbit.Start:
-        axis = closed.Axis(self.body.lambda1, self.body.lambda3, self.body.weight[2], None)
-        return closed.start(axis, self.omega[2], halves, rates, (self.phi, self.psi))
+        return self._trajectory(np.zeros(1), of_start(self.initial, self.body))
 
     @cached_property
     def solved(self) -> Solved:
-        return heavy.solved(self._solvable)
-
-    def _row(self, times: Floats, state: Sequence[float]) -> TopTrajectory:
-        """One state, in the order of `TopState`."""
-        *changing, spin, upright = state
-        columns = [np.array([x]) for x in changing]
-        fixed = [np.array(spin), np.array(upright)]
-        named = zip((each.name for each in fields(TopState)), [*columns, *fixed], strict=True)
-        return TopTrajectory(motion=self, t=times, **dict(named))
+        axis = closed.Axis(self.body.lambda1, self.body.lambda3, self.body.weight[2], None)
+        return heavy.solved(axis.start(self.initial))
 
     def exact(self, t: ArrayLike, compiled: bool = False) -> TopTrajectory:
         """The motion at the times `t`, in closed form, with Euler angles: see `Motion.exact`.
@@ -292,7 +202,7 @@ class TopMotion(Motion):
         """
         times = checks.times(t)
         if len(times) == 1:
-            return self._row(times, self.solved.at(float(times[0])))
+            return self._trajectory(times, of_numbers(self.solved.at(float(times[0]))))
         even = None
         if not compiled or len(times) > samples.MANY:
             orbit: heavy_orbit.Orbit = self.solved.orbit
@@ -302,7 +212,7 @@ class TopMotion(Motion):
             return SampledTop(self, times, lambda name: even.of(name)[0])
         if compiled:
             return SampledTop(self, times, heavy.rows(self.solved, times).__getitem__)
-        return TopTrajectory(motion=self, t=times, **vars(orbit.states(times)))
+        return self._trajectory(times, orbit.states(times))
 
     def integrate(
         self, t: ArrayLike, method: str = "DOP853", rtol: float = 1e-10, atol: float = 1e-12
@@ -317,53 +227,15 @@ class TopMotion(Motion):
         (True, True)
         """
         times = self._times(t)
-        upright = float(spinning(self.body, self.omega[2])["upright_phi_dot"])
+        spin = spinning(self.body, self.omega[2])
 
         def sample(motion: Flow, ordered: Floats) -> Floats:
-            counted = counted_angles(motion, ordered, (self.phi, self.psi), upright)
-            return np.concatenate([motion.path(ordered), counted])
+            return with_angles(motion, ordered, self.initial.angles, spin)
 
         flows = self._flows(Accuracy(method, rtol, atol))
         states = on_both_sides(flows, self._initial(), times, sample)
-        return self._trajectory(states[:6], times, *states[6:])
+        turn = self.omega[2] * times
+        return self._trajectory(times, of_frame(states[:6], states[6:], turn, spin))
 
-    def _trajectory(
-        self, states: Floats, times: Floats, phi: Floats, psi_in_frame: Floats
-    ) -> TopTrajectory:
-        """From states (6, N) and continuous angles in the frame that does not turn about e₃."""
-        spin = self.omega[2]
-        return TopTrajectory(
-            motion=self,
-            t=times,
-            **of_spinors(attitudes.spinors(_units(states).T), states[4:6], psi_in_frame),
-            phi=phi,
-            psi=psi_in_frame + spin * times,
-            **spinning(self.body, spin),
-        )
-
-
-class EulerTopMotion(TopMotion):
-    """One that is given by Euler angles, which keep the digits of large φ and ψ."""
-
-    euler: Start
-
-    def __init__(self, body: SymmetricTop, euler: Start) -> None:
-        omega = checks.vector("omega", euler.omega)
-        given = {"body": body, "euler": euler, "omega": omega, "phi": euler.phi, "psi": euler.psi}
-        for name, value in given.items():
-            object.__setattr__(self, name, value)
-
-    @cached_property
-    def attitude(self) -> Rotation:
-        return self.euler.attitude
-
-    def start(self) -> TopTrajectory:
-        s = self._solvable
-        angles = s.cos_half, s.sin_half, s.phi, s.psi
-        return self._row(np.zeros(1), (*angles, s.v_theta, s.v_phi, s.omega3, s.b / 2))
-
-    @property
-    def _solvable(self) -> heavy_orbit.Start:
-        cos_half, sin_half, sine = attitudes.of_polar_angle(self.euler.theta)
-        rates = self.euler.theta_dot, self.euler.phi_dot * sine
-        return self._of_halves((cos_half, sin_half), rates)
+    def _trajectory(self, times: Floats, state: TopState) -> TopTrajectory:
+        return TopTrajectory(motion=self, t=times, **vars(state))

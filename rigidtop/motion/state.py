@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact.numbers import Arrays, Kit, Real
+from rigidtop.motion.start import AnyStart
 from rigidtop.motion.systems import SMALLEST_SIZE
 
+CHANGING = ("cos_half", "sin_half", "phi", "psi", "theta_dot", "v_phi")
+"""What of a state is not constant."""
 
-@dataclass(frozen=True, eq=False, kw_only=True)
+
+@dataclass(frozen=True, eq=False)
 class TopState:
     """Attitude and rates of symmetric tops: arrays of one shape S, or such as broadcast to it.
 
@@ -95,20 +99,38 @@ def rates(k: Kit, state: Real) -> tuple[Real, Real]:
     return phi_dot, state.omega3 - phi_dot * cosine
 
 
-def of_spinors(
-    spinors: tuple[NDArray[np.complex128], NDArray[np.complex128]],
-    omega: Floats | tuple[Floats, Floats],
-    psi: Floats,
-) -> dict[str, Floats]:
-    """What of a state an attitude and ω₁, ω₂ tell; ψ counts where the attitude has none."""
-    alpha, beta = spinors
+def of_numbers(numbers: Sequence[float]) -> TopState:
+    """One state, from numbers in the order of its fields: in arrays of one element."""
+    *changing, omega3, upright = numbers
+    columns = [*(np.array([x]) for x in changing), np.array(omega3), np.array(upright)]
+    return TopState(*columns)
+
+
+def of_start(start: AnyStart, body: Real) -> TopState:
+    """That at t = 0, of a body with λ₁ and λ₃."""
+    omega3 = start.omega[2]
+    upright = body.lambda3 * omega3 / (2 * body.lambda1)
+    return of_numbers((*start.halves, *start.angles, *start.rates, omega3, upright))
+
+
+def of_frame(states: Floats, angles: Floats, turn: Floats, spin: Mapping[str, Floats]) -> TopState:
+    """From q, ω₁ and ω₂ (6, N), and φ and ψ that count turns (2, N), in a frame that follows e₃.
+
+    The body turns in it by `turn`, and `spin` is what `spinning` tells.
+    """
+    phi, psi = angles
+    alpha, beta = attitude.spinors(attitude.units(states).T)
     product = alpha * beta.conj()
     size = np.abs(product)
-    # cos ψ + i sin ψ.
+    # cos ψ + i sin ψ; where the attitude has no ψ, the one that counts.
     nodes = np.divide(product, size, out=np.exp(1j * psi), where=size > SMALLEST_SIZE)
-    return {
-        "cos_half": np.abs(alpha),
-        "sin_half": np.abs(beta),
-        "theta_dot": omega[0] * nodes.imag + omega[1] * nodes.real,
-        "v_phi": omega[1] * nodes.imag - omega[0] * nodes.real,
-    }
+    omega1, omega2 = states[4:6]
+    return TopState(
+        cos_half=np.abs(alpha),
+        sin_half=np.abs(beta),
+        phi=phi,
+        psi=psi + turn,
+        theta_dot=omega1 * nodes.imag + omega2 * nodes.real,
+        v_phi=omega2 * nodes.imag - omega1 * nodes.real,
+        **spin,
+    )

@@ -65,10 +65,8 @@ class Span:
     count: int
 
     def __post_init__(self) -> None:
-        for name in ("start", "stop"):
-            object.__setattr__(self, name, checks.number(name, getattr(self, name)))
-        checks.whole("count", self.count, 2)
-        object.__setattr__(self, "count", int(self.count))
+        checks.settle(self, checks.number, "start", "stop")
+        object.__setattr__(self, "count", checks.whole("count", self.count, 2))
 
     def at(self, index: NDArray[np.intp]) -> Floats:
         """The numbers at these places."""

@@ -25,7 +25,7 @@ import numpy as np
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import Accuracy, Flow, Held, joined
+from rigidtop.motion.integrate import Flow, Held, joined
 from rigidtop.motion.systems import SMALLEST_SIZE, System
 
 STEPS_AT_ONCE = 20_000
@@ -39,9 +39,9 @@ MOST_STEPS = 10_000_000
 
 
 def flow(
-    system: System, parameters: Sequence[float], start: Floats, end: float, accuracy: Accuracy
+    system: System, parameters: Sequence[float], start: Floats, end: float, rtol: float
 ) -> Flow:
-    """Integrate from t = 0 to `end` (s), which may be negative; `accuracy.atol` plays no part.
+    """Integrate from t = 0 to `end` (s), which may be negative.
 
     Raises RigidtopError without heyoka, and where the motion overflows.
     """
@@ -60,7 +60,7 @@ def flow(
         list(zip(state, right, strict=True)),
         start / of_state,
         pars=parameters / of_parameters,
-        tol=accuracy.rtol,
+        tol=rtol,
     )
     return propagated(integrator, end, of_state, unit, unit / rate)
 

@@ -13,13 +13,13 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.motion import attitude
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.rigid import Moving
 from rigidtop.motion.rows import Rows
+from rigidtop.motion.start import Moving
 from rigidtop.motion.state import TopState, spinning
 
 
-class Turning(Rows):
-    """How a body turns, at N times, one row each, in the order in which they were asked for."""
+class Trajectory(Rows):
+    """A motion at N times, one row each, in the order in which they were asked for."""
 
     motion: Moving
     """The motion that it belongs to, with its body and its initial state."""
@@ -51,28 +51,6 @@ class Turning(Rows):
     def e3(self) -> Floats:
         """The figure axis in space components, shape (N, 3)."""
         return self.rotation.as_matrix()[:, :, 2]
-
-
-@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class TurningTop(TopState, Turning):
-    """How a symmetric top turns, known by its Euler angles and their rates."""
-
-    motion: Moving
-    t: Floats
-
-    __repr__ = Rows.__repr__
-
-    @cached_property
-    def rotation(self) -> Rotation:
-        return attitude.rotation(self.quaternion)
-
-    @cached_property
-    def omega(self) -> Floats:
-        return super().omega
-
-
-class Trajectory(Turning):
-    """A motion at N times of a body that is free, or held at one point."""
 
     @property
     def vertical(self) -> Floats:
@@ -109,26 +87,24 @@ class Trajectory(Turning):
         at t = 0.  For a body at rest without weight, where both would be zero, they are 1 J and
         1 J s.  For L the change of the vector counts, not that of its length.
         """
-        body, start = self.motion.body, self.motion.start()
-        kinetic = float(np.dot(body.moments, np.square(self.motion.omega))) / 2
-        energy = kinetic + float(np.linalg.norm(body.weight))
-        scales = {"energy": energy or 1.0}
-        # As a product of roots it does not overflow.
-        momentum = float(np.sqrt(2 * max(body.moments)) * np.sqrt(energy)) or 1.0
-        initial = start.conserved()
+        energy, momentum = self.scales
+        initial = self.motion.start().conserved()
         drifts = {}
         for name, values in self.conserved().items():
             change = (values - initial[name]).reshape(len(self.t), -1)
-            relative = change / scales.get(name, momentum)  # before it is squared: no overflow
-            drifts[name] = float(np.linalg.norm(relative, axis=1).max())
+            scale = energy if name == "energy" else momentum
+            # Relative before it is squared: no overflow.
+            drifts[name] = float(np.linalg.norm(change / scale, axis=1).max())
         return drifts
 
-
-def euler_columns(path: Any) -> dict[str, Floats]:
-    """t, the Euler angles and their rates, by name and unit."""
-    angles = ("theta", "phi", "psi")
-    made = {"t/s": path.t} | {f"{name}/rad": getattr(path, name) for name in angles}
-    return made | {f"{name}_dot/(rad/s)": getattr(path, f"{name}_dot") for name in angles}
+    @property
+    def scales(self) -> tuple[float, float]:
+        """What a drift of the energy (J) and of a momentum (J s) is relative to: see `drift`."""
+        body = self.motion.body
+        kinetic = float(np.dot(body.moments, np.square(self.motion.omega))) / 2
+        energy = kinetic + float(np.linalg.norm(body.weight))
+        # As a product of roots it does not overflow.
+        return energy or 1.0, float(np.sqrt(2 * max(body.moments)) * np.sqrt(energy)) or 1.0
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -154,7 +130,7 @@ class BodyTrajectory(Trajectory):
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class TopTrajectory(TurningTop, Trajectory):
+class TopTrajectory(TopState, Trajectory):
     """The motion of a symmetric top, with its Euler angles, of shape (N,).
 
     φ and ψ are continuous in t, from the values at t = 0 that the motion was given: they count
@@ -163,9 +139,29 @@ class TopTrajectory(TurningTop, Trajectory):
     the jumps take turns; in an integrated motion rounding decides the signs.
     """
 
+    motion: Moving
+    t: Floats
+
+    __repr__ = Rows.__repr__
+
+    @cached_property
+    def rotation(self) -> Rotation:
+        return attitude.rotation(self.quaternion)
+
+    @cached_property
+    def omega(self) -> Floats:
+        return super().omega
+
+    @property
+    def euler_columns(self) -> dict[str, Floats]:
+        """t, the Euler angles and their rates, by name and unit."""
+        angles = ("theta", "phi", "psi")
+        made = {"t/s": self.t} | {f"{name}/rad": getattr(self, name) for name in angles}
+        return made | {f"{name}_dot/(rad/s)": getattr(self, f"{name}_dot") for name in angles}
+
     def columns(self) -> dict[str, Floats]:
         """t, the Euler angles, their rates and the energy."""
-        return euler_columns(self) | {"energy/J": self.energy}
+        return self.euler_columns | {"energy/J": self.energy}
 
     @property
     def p_phi(self) -> Floats:

@@ -2,54 +2,34 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from sympy import Expr
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
-from rigidtop.system.motion import SystemMotion, started
-from rigidtop.system.names import Given
+from rigidtop.system.motion import SystemMotion, row, started
+from rigidtop.system.names import Given, numbers
 from rigidtop.system.numeric import Computed
 
 
-def many(
-    system: Computed, parameters: Mapping[Expr, object], q: Given, qdot: Given
-) -> SystemMotions:
+def many(system: Computed, parameters: Given, q: Given, qdot: Given) -> SystemMotions:
     """See `System.motions`."""
-    rows = {"q": system.names.q, "qdot": system.names.v}
-    given: dict[Expr, Expr] = dict(parameters)
-    for what, value in (("q", q), ("qdot", qdot)):
-        if value is None and what == "qdot":
-            continue
-        if isinstance(value, Mapping):
-            given |= {(what, key): each for key, each in value.items()}
-        elif not np.iterable(value) or len(list(value)) != len(rows[what]):
-            shown = ", ".join(map(system.names.spelled, rows[what]))
-            raise RigidtopError(f"{what} has a number, or an array, for each of {shown}")
-        else:
-            given |= {(what, x): each for x, each in zip(rows[what], value, strict=True)}
-    arrays = {key: checks.numbers(_spoken(key), value) for key, value in given.items()}
-    shape = checks.common_shape({_spoken(key): value for key, value in arrays.items()})
-    flat = {key: np.broadcast_to(value, shape).ravel() for key, value in arrays.items()}
-    made = []
-    for k in range(math.prod(shape)):
-        one: dict[str, dict[Expr, float]] = {"": {}, "q": {}, "qdot": {}}
-        for key, values in flat.items():
-            what, name = key if isinstance(key, tuple) else ("", key)
-            one[what][name] = float(values[k])
-        made.append(started(system, one[""], one["q"], one["qdot"]))
-    return SystemMotions(tuple(made), shape)
-
-
-def _spoken(key: Any) -> str:
-    return str(key[1] if isinstance(key, tuple) else key)
+    if not isinstance(parameters, Mapping):
+        numbers(system.parameters, parameters)  # complains
+    given = [*parameters.items(), *row(system, "q", q).items(), *row(system, "qdot", qdot).items()]
+    arrays = [(str(x), checks.numbers(str(x), value)) for x, value in given]
+    shape = checks.common_shape(dict(arrays))
+    flat = (np.broadcast_to(value, shape).ravel().tolist() for _, value in arrays)
+    first, last = len(parameters), len(parameters) + len(system.q)
+    motions = (
+        started(system, dict(zip(parameters, each, strict=False)), each[first:last], each[last:])
+        for each in zip(*flat, strict=True)
+    )
+    return SystemMotions(tuple(motions), shape)
 
 
 @dataclass(frozen=True)

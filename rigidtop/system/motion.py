@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from html import escape
 from typing import Any
 
@@ -18,7 +18,7 @@ from rigidtop.codegen.heyoka import on_symbols
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, flow, on_both_sides
+from rigidtop.motion.integrate import Accuracy, Flow, Problem, flow, on_both_sides
 from rigidtop.motion.rows import Rows
 from rigidtop.parameters import in_one_line
 from rigidtop.system.events import zeros
@@ -39,20 +39,22 @@ def started(
 ) -> SystemMotion:
     """See `System.motion`."""
     values = numbers(system.parameters, parameters).values()
-    names = system.names
-    start = [_initial("q", q, names.q, system), _initial("qdot", qdot, names.v, system)]
-    made = SystemMotion(system, tuple(map(float, values)), tuple(start[0]), tuple(start[1]))
+    places, rates = (
+        tuple(checks.number(x.name, value) for x, value in row(system, what, given).items())
+        for what, given in (("q", q), ("qdot", qdot))
+    )
+    made = SystemMotion(system, tuple(map(float, values)), places, rates)
     made.check()
     return made
 
 
-def _initial(what: str, given: Given, letters: Sequence[Symbol], system: Computed) -> list[float]:
-    """A row of n numbers, in the order of the coordinates."""
-    if given is None and what == "qdot":
-        return [0.0] * len(letters)
+def row(system: Computed, what: str, given: Given) -> dict[Symbol, Any]:
+    """What is given for each coordinate ("q") or velocity ("qdot"), in their order."""
+    letters = system.names.q if what == "q" else system.names.v
     shown = ", ".join(map(system.names.spelled, letters))
-    if given is None:
+    if given is None and what == "q":
         raise RigidtopError(f"where does it start? q = a number for each of {shown}")
+    given = {} if given is None else given
     if isinstance(given, Mapping):
         places = {}
         for key, value in given.items():
@@ -63,12 +65,12 @@ def _initial(what: str, given: Given, letters: Sequence[Symbol], system: Compute
         missing = [x.name for k, x in enumerate(letters) if k not in places]
         if missing and what == "q":
             raise RigidtopError(f"q has no number for {', '.join(missing)}")
-        row = [places.get(k, 0.0) for k in range(len(letters))]
+        values = [places.get(k, 0.0) for k in range(len(letters))]
     else:
-        row = [given] if np.ndim(given) == 0 else list(given)
-    if len(row) != len(letters):
-        raise RigidtopError(f"{what} has {len(row)} numbers, for {shown}")
-    return [checks.number(x.name, value) for x, value in zip(letters, row, strict=True)]
+        values = list(given) if np.iterable(given) and not isinstance(given, str) else [given]
+    if len(values) != len(letters):
+        raise RigidtopError(f"{what} has {len(values)} numbers, for {shown}")
+    return dict(zip(letters, values, strict=True))
 
 
 def _place(key: Expr, letters: Sequence[Symbol], system: Computed) -> int | None:
@@ -274,14 +276,12 @@ class SystemMotion:
     def _flow(
         self, start: Floats, end: float, accuracy: Accuracy, sizes: Callable[[Floats], Floats]
     ) -> Flow:
-        if accuracy.method == TAYLOR:
-            return self._taylor(start, end, accuracy, sizes(start))
-        if not self.system.constraints:
-            return flow(self._rates_at, start, end, accuracy, sizes)
-        unit = sizes(start)
-        return flow(self._rates_at, start, end, accuracy, lambda _: unit, self._held)
+        held, unit = self._held if self.system.constraints else None, sizes(start)
+        series = partial(self._taylor, start, unit)
+        own = sizes if held is None else lambda _: unit
+        return flow(Problem(self._rates_at, start, own, series, held), end, accuracy)
 
-    def _taylor(self, start: Floats, end: float, accuracy: Accuracy, unit: Floats) -> Flow:
+    def _taylor(self, start: Floats, unit: Floats, end: float, rtol: float) -> Flow:
         """By heyoka's Taylor series, of the state in `unit`s: below 1 its tolerance is absolute."""
         heyoka = taylor.loaded()
         numeric, n = self.system.numeric, len(self.q)
@@ -298,7 +298,7 @@ class SystemMotion:
         while values and str(given[len(values) - 1]) not in occurring:
             values.pop()
         rows = [(x, rate / size) for x, rate, size in zip(state, right, unit, strict=True)]
-        integrator = heyoka.taylor_adaptive(rows, start / unit, pars=values, tol=accuracy.rtol)
+        integrator = heyoka.taylor_adaptive(rows, start / unit, pars=values, tol=rtol)
         held = self._held if self.system.constraints else None
         return taylor.propagated(integrator, end, unit, held=held)
 

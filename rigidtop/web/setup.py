@@ -18,7 +18,7 @@ from rigidtop.motion.attitude import (
     to_nodes,
 )
 from rigidtop.motion.body import FreeBody, HeavyBody
-from rigidtop.motion.motion import Motion, TopMotion
+from rigidtop.motion.motion import Motion
 from rigidtop.motion.rigid import RigidBody
 from rigidtop.motion.top import HeavyTop
 
@@ -122,10 +122,7 @@ def _angles(motion: Motion) -> tuple[float, float, float]:
     q = quaternions(motion.attitude)
     alpha, beta = spinors(q)
     theta = float(polar_angle(alpha, beta))
-    if isinstance(motion, TopMotion):
-        phi, psi = motion.phi, motion.psi
-    else:
-        phi, psi = azimuth_and_spin(motion.attitude, motion.omega)
+    phi, psi = motion.initial.angles
     _, v_phi = to_nodes(*motion.omega[:2], psi)
     if theta in (0.0, math.pi) and abs(v_phi) > ROUNDING * math.hypot(*motion.omega):
         vertical = np.where([theta == 0, theta > 0, theta > 0, theta == 0], q, 0.0)

@@ -73,7 +73,8 @@ def variants(motion: SlidingMotion) -> dict[str, SlidingMotion]:
     """The same top with less friction, with more, and with less spin, by their titles."""
     body, (omega1, omega2, omega3) = motion.body, motion.omega
     rubbing = (("Half the friction", 0.5), ("Twice the friction", 2.0)) if body.mu else ()
-    slower = {"Half the spin": replace(motion, omega=(omega1, omega2, omega3 / 2))}
+    start = replace(motion.initial, omega=(omega1, omega2, omega3 / 2))
+    slower = {"Half the spin": replace(motion, initial=start)}
     return {
         name: replace(motion, body=replace(body, mu=factor * body.mu)) for name, factor in rubbing
     } | (slower if omega3 else {})

@@ -153,8 +153,8 @@ def test_many_motions_are_the_single_ones():
     assert np.array_equal(places[1, 2], springs[5].integrate([0.3, 1.0]).q)
     with pytest.raises(rt.RigidtopError, match="these shapes do not broadcast: k"):
         SPRING.motions({m: 1, k: [1, 2]}, [[1, 2, 3]])
-    with pytest.raises(rt.RigidtopError, match="q has a number, or an array, for each of x"):
-        SPRING.motions(NUMBERS, 1)
+    with pytest.raises(rt.RigidtopError, match="q has 2 numbers, for x"):
+        SPRING.motions(NUMBERS, [1, 2])
     with pytest.raises(rt.RigidtopError, match="k must be numbers, not 'a'"):
         SPRING.motions({m: 1, k: "a"}, [1])
 
@@ -194,7 +194,7 @@ def test_many_starts_may_be_arrays_beside_numbers():
     plane = rt.System(m * (u**2 + v_**2) / 2 - k * (x**2 + y_**2) / 2, [x, y_], [u, v_])
     many = plane.motions(NUMBERS, q=(np.linspace(0, 1, 5), 0.5), qdot=(0, 0))
     assert many.shape == (5,)
-    with pytest.raises(rt.RigidtopError, match="q has a number, or an array, for each of x, y_"):
+    with pytest.raises(rt.RigidtopError, match="q has 1 numbers, for x, y_"):
         plane.motions(NUMBERS, q=(np.linspace(0, 1, 5),))
 
 

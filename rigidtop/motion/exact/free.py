@@ -149,13 +149,6 @@ class Orbit:
         return np.asarray(found & ~np.asarray(self.uniform))
 
     @property
-    def precession_per_period(self) -> Real:
-        """By how much e₃ turns about L in it (rad)."""
-        with np.errstate(all="ignore"):
-            mean = self.mean_precession
-            return np.where(mean == 0, 0.0, mean * self.nutation_period)
-
-    @property
     def mean_precession(self) -> Real:
         """The rate at which e₃ turns about L, on average (rad/s)."""
         with np.errstate(all="ignore"):

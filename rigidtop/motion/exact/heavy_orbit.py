@@ -19,7 +19,7 @@ from rigidtop.motion.exact.numbers import ROUNDING, Arrays, Kit, Real, Truth
 from rigidtop.motion.exact.roots import Roots
 from rigidtop.motion.exact.samples import BLOCK, Course, in_blocks
 from rigidtop.motion.exact.theta import Cubic, Factor, Modulus
-from rigidtop.motion.state import TopState
+from rigidtop.motion.state import CHANGING, TopState
 
 REGIMES = (
     "free precession",
@@ -34,9 +34,6 @@ REGIMES = (
     "waves",
 )
 """What an axis can do: see `Orbit.regime`, which takes the first that holds."""
-
-CHANGING = ("cos_half", "sin_half", "phi", "psi", "theta_dot", "v_phi")
-"""What of a state is not constant."""
 
 
 @dataclass(frozen=True)
@@ -157,13 +154,6 @@ class Orbit:
         with np.errstate(all="ignore"):
             period = 2 * self.modulus.half / np.asarray(self.rate)
             return np.where((self.m1 > 0) & ~np.asarray(self.asymptotic), period, np.inf)
-
-    @property
-    def precession_per_period(self) -> Real:
-        """By how much φ grows in a nutation period (rad), without half turns at the vertical."""
-        with np.errstate(all="ignore"):
-            mean = self.mean_precession
-            return np.where(mean == 0, 0.0, mean * self.nutation_period)
 
     @property
     def mean_precession(self) -> Real:

@@ -11,11 +11,11 @@ the three roots meet, everything is made of the two differences that are small t
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from rigidtop.motion.exact.numbers import SMALLEST_PART, Kit, Real
+from rigidtop.motion.exact.numbers import ROUNDING, SMALLEST_PART, Kit, Real, Truth
 
 UNITS = 2 * float(np.finfo(float).eps)
 """What rounding does to a sum that decides how near to a pole or a separatrix a motion comes."""
@@ -50,25 +50,39 @@ def unless_rounding(k: Kit, one: Real, other: Real) -> Real:
     return k.where(abs(total) <= UNITS * (abs(one) + abs(other)), 0.0, total)
 
 
-def roots(
-    k: Kit,
-    mu: Real,
-    b: Real,
-    v_theta: Real,
-    v_phi: Real,
-    x0: Real,
-    y0: Real,
-    s: Real,
-    momentum: Real,
-    away_up: Real,
-    c_up: Real,
-    c_down: Real,
-) -> tuple[Roots, Real, Real, Real, Real]:
+@dataclass(frozen=True)
+class Scaled:
+    """A start in units of σ, and what of it decides how near to a pole it comes."""
+
+    sigma: Real
+    mu: Real
+    b: Real
+    v_theta: Real
+    v_phi: Real
+    speed: Real
+    """Of the axis."""
+    x0: Real
+    y0: Real
+    sine: Real
+    momentum: Real
+    """φ̇ sin²θ."""
+    away_up: Real
+    """φ̇ sin θ less what it is on the way through the upright."""
+    c_up: Real
+    """a − b."""
+    c_down: Real
+    """a + b."""
+
+
+def roots(k: Kit, start: Scaled) -> tuple[Roots, Scaled, Truth]:
     """Where ẋ² = c₀ + 2gδ − hδ² − 2μδ³ vanishes, δ = x − x₀.
 
-    Also half the slope g of ẋ² at x₀, which steady precession makes zero, the sizes of its terms,
-    and a ± b, zero if the axis passes through a pole.
+    Also the start with a ± b zero if the axis passes through a pole, and whether θ is constant, to
+    rounding of the start: half the slope g of ẋ² at x₀, and θ̇, are zero.
     """
+    mu, b, v_theta, v_phi = start.mu, start.b, start.v_theta, start.v_phi
+    x0, y0, s, momentum = start.x0, start.y0, start.sine, start.momentum
+    away_up, c_up, c_down = start.away_up, start.c_up, start.c_down
     u0 = (y0 - x0) / 2
     w2 = v_theta * v_theta + v_phi * v_phi
     c0 = (s * v_theta) * (s * v_theta)
@@ -163,4 +177,10 @@ def roots(
         span=delta2 - delta1,
         m03=m03,
     )
-    return found, g, sizes, k.where(through_up, 0.0, c_up), k.where(through_down, 0.0, c_down)
+    passing = replace(
+        start,
+        c_up=k.where(through_up, 0.0, c_up),
+        c_down=k.where(through_down, 0.0, c_down),
+    )
+    steady = k.both(abs(g) <= ROUNDING * sizes, abs(v_theta) <= ROUNDING * start.speed)
+    return found, passing, steady

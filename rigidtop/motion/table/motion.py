@@ -11,22 +11,19 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.spatial.transform import Rotation
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import TAYLOR, Accuracy, counted_angles, joined
-from rigidtop.motion.rigid import Triple
-from rigidtop.motion.start import start as euler_start
-from rigidtop.motion.state import of_spinors, spinning
+from rigidtop.motion.integrate import TAYLOR, Accuracy, on_both_sides, with_angles
+from rigidtop.motion.rigid import Pair, Triple
+from rigidtop.motion.start import AnyStart, Moving, from_angles
+from rigidtop.motion.state import TopState, of_frame, of_start, spinning
 from rigidtop.motion.table import smooth
 from rigidtop.motion.table.contact import VARIABLES, Contact, Sliding
-from rigidtop.motion.table.phases import Course, course
+from rigidtop.motion.table.phases import Course, Event, course, ending
 from rigidtop.motion.table.trajectory import SlidingTrajectory
-
-Pair = tuple[float, float]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,11 +50,9 @@ class SlidingTop(Sliding):
     """
 
     def __post_init__(self) -> None:
-        for name in ("lambda1", "lambda3", "M", "R", "g"):
-            object.__setattr__(self, name, checks.positive(name, getattr(self, name)))
-        for name in ("tip", "mu", "viscosity", "drag", "drag1", "drag3"):
-            object.__setattr__(self, name, checks.not_negative(name, getattr(self, name)))
-        object.__setattr__(self, "fall", checks.number("fall", self.fall))
+        checks.settle(self, checks.positive, "lambda1", "lambda3", "M", "R", "g")
+        checks.settle(self, checks.not_negative, "tip", "mu", "viscosity", "drag", "drag1", "drag3")
+        checks.settle(self, checks.number, "fall")
         if not 0 < self.fall <= math.pi:
             raise RigidtopError(
                 f"fall must be an angle of more than 0 and at most pi radians, not {self.fall:g}"
@@ -106,7 +101,7 @@ class SlidingTop(Sliding):
         """
         missing = "give theta and the spin, as omega3 or psi_dot"
         angles = theta, theta_dot, phi, phi_dot, psi, psi_dot, omega3
-        start = euler_start(missing, *angles)
+        start = from_angles(missing, *angles)
         if velocity is not None and slip is not None:
             raise RigidtopError("give velocity (of the centre of mass) or slip, not both")
         if start.theta >= self.fall and self.fall < math.pi:
@@ -114,40 +109,25 @@ class SlidingTop(Sliding):
                 f"theta = {start.theta:g} is no start: the top lies on the table from "
                 f"fall = {self.fall:g}"
             )
-        attitude, omega = start.attitude, start.omega
         if slip is not None:
-            sliding = checks.pair("slip", slip)
-        else:
-            wanted = (0.0, 0.0) if velocity is None else checks.pair("velocity", velocity)
-            without = _without_slip(self, attitude, omega)
-            sliding = wanted[0] - without[0], wanted[1] - without[1]
-        return SlidingMotion(self, attitude, omega, start.phi, start.psi, sliding)
+            return SlidingMotion(self, start, checks.pair("slip", slip))
+        wanted = (0.0, 0.0) if velocity is None else checks.pair("velocity", velocity)
+        without = _without_slip(self, start)
+        return SlidingMotion(self, start, (wanted[0] - without[0], wanted[1] - without[1]))
 
 
-def _without_slip(body: SlidingTop, attitude: Rotation, omega: Triple) -> Pair:
+def _without_slip(body: SlidingTop, start: AnyStart) -> Pair:
     """The velocity of the centre of mass along x̂ and ŷ, −ω × ρ, if the contact does not slip."""
-    state = [*attitudes.quaternions(attitude).tolist(), *omega, 0.0, 0.0]
+    state = [*attitudes.quaternions(start.attitude).tolist(), *start.omega, 0.0, 0.0]
     known = Contact(body).kinematics(state)
     return float(known[3]), float(known[4])
 
 
 @dataclass(frozen=True, eq=False)
-class SlidingMotion:
+class SlidingMotion(Moving):
     """The motion of a top on a table from its initial state; made by `SlidingTop.motion`."""
 
     body: SlidingTop
-
-    attitude: Rotation
-    """At t = 0, body components to space components."""
-
-    omega: Triple
-    """Rotational velocity at t = 0, body components, rad/s."""
-
-    phi: float
-    """φ at t = 0, from which φ(t) continues (rad)."""
-
-    psi: float
-    """ψ at t = 0, from which ψ(t) continues (rad)."""
 
     slip: Pair
     """Velocity of the contact over the table at t = 0 (m/s)."""
@@ -155,11 +135,15 @@ class SlidingMotion:
     @property
     def velocity(self) -> Floats:
         """Of the centre of mass along x̂ and ŷ at t = 0, shape (2,), in m/s."""
-        return np.array(_without_slip(self.body, self.attitude, self.omega)) + self.slip
+        return np.array(_without_slip(self.body, self.initial)) + self.slip
 
     def start(self) -> SlidingTrajectory:
         """The initial state, as a trajectory of one row."""
-        return self._repeated(1, Course((), ()))
+        contact, table = Contact(self.body), np.zeros((6, 1))
+        table[:2, 0] = self.slip
+        rolling = not any(self.slip) and contact.holds(self._initial())
+        state = of_start(self.initial, self.body)
+        return self._trajectory(np.zeros(1), state, table, np.array([rolling]))
 
     def exact(self, t: ArrayLike) -> SlidingTrajectory:
         """The motion on a smooth table without air at the times `t`, in closed form.
@@ -202,10 +186,7 @@ class SlidingMotion:
                 "integrate the motion"
             )
         at = orbit.at(times)
-        velocity = self.velocity
-        found = SlidingTrajectory(
-            motion=self,
-            t=times,
+        state = TopState(
             cos_half=np.cos(at.theta / 2),
             sin_half=np.sin(at.theta / 2),
             phi=self.phi + at.phi,
@@ -213,12 +194,10 @@ class SlidingMotion:
             theta_dot=at.theta_dot,
             v_phi=at.v_phi,
             **spinning(body, self.omega[2]),
-            centre=times[:, None] * velocity,
-            slip=np.zeros((len(times), 2)),
-            dissipated_by_friction=np.zeros(len(times)),
-            dissipated_by_air=np.zeros(len(times)),
-            rolling=np.zeros(len(times), dtype=bool),
         )
+        velocity, table = self.velocity, np.zeros((6, len(times)))
+        table[2:4] = velocity[:, None] * times
+        found = self._trajectory(times, state, table, np.zeros(len(times), dtype=bool))
         # Without slip the velocity would be −ω × ρ.
         return replace(found, slip=velocity - found.velocity[:, :2])
 
@@ -247,32 +226,27 @@ class SlidingMotion:
                 "Taylor series do not see friction change: use another method, such as DOP853"
             )
         accuracy = Accuracy(method, rtol, atol)
-        contact, start, last = Contact(self.body), self._initial(), float(times.max())
-        found = course(contact, start, last, accuracy) if last else Course((), ())
-        if found.ended is not None:
-            end = found.ended
+        contact, start, last = Contact(self.body), np.array(self._initial()), float(times.max())
+        run = course(contact, start.tolist(), last, accuracy) if last else Course((), ())
+        end = ending(run.events)
+        if end is not None:
             times = times[times <= end.time]
             if len(times) == 0:
                 raise RigidtopError(
                     f"the motion ends at t = {end.time:g} ({end.kind}): ask for earlier times"
                 )
-        if not found.phases or not np.any(times):
-            return self._repeated(len(times), found)
-        order = np.argsort(times, kind="stable")
-        ordered = times[order]
-        flow = joined([phase.flow for phase in found.phases])
-        upright = float(spinning(self.body, self.omega[2])["upright_phi_dot"])
-        counted = counted_angles(flow, ordered, (self.phi, self.psi), upright)
-        ends = np.array([phase.flow.steps[-1] for phase in found.phases[:-1]])
-        laws = np.array([phase.rolling for phase in found.phases])
-        back = np.argsort(order, kind="stable")
-        return self._trajectory(
-            flow.path(ordered)[:, back],
+        spin, angles = spinning(self.body, self.omega[2]), self.initial.angles
+        states = on_both_sides(
+            lambda _: run.flow,
+            start,
             times,
-            counted[:, back],
-            laws[np.searchsorted(ends, times)],
-            found,
+            lambda motion, ordered: with_angles(motion, ordered, angles, spin),
         )
+        omega3, turn = states[6], states[9]
+        state = of_frame(states[:6], states[VARIABLES:], turn, spinning(self.body, omega3))
+        rolling = run.rolling(times) if last else np.repeat(self.start().rolling, len(times))
+        table = states[[7, 8, 10, 11, 12, 13]]
+        return self._trajectory(times, state, table, rolling, run.events)
 
     def _times(self, t: ArrayLike) -> Floats:
         rate = math.hypot(*self.omega) + math.sqrt(self.body.g / self.body.R)
@@ -287,41 +261,23 @@ class SlidingMotion:
         q = attitudes.quaternions(self.attitude).tolist()
         return [*q, *self.omega, *self.slip, *[0.0] * (VARIABLES - 9)]
 
-    def _repeated(self, rows: int, found: Course) -> SlidingTrajectory:
-        """The initial state, so many times."""
-        contact, state = Contact(self.body), self._initial()
-        rolling = not any(self.slip) and contact.holds(state)
-        return self._trajectory(
-            np.repeat(np.array(state)[:, None], rows, axis=1),
-            np.zeros(rows),
-            np.array([[self.phi] * rows, [self.psi] * rows]),
-            np.full(rows, rolling),
-            found,
-        )
-
     def _trajectory(
         self,
-        states: Floats,
         times: Floats,
-        angles: Floats,
+        state: TopState,
+        table: Floats,
         rolling: NDArray[np.bool_],
-        found: Course,
+        events: tuple[Event, ...] = (),
     ) -> SlidingTrajectory:
-        """From states (14, N) and continuous φ and ψ in the frame that does not turn about e₃."""
-        spinors = attitudes.spinors(states[:4] / np.linalg.norm(states[:4], axis=0))
-        phi, psi_in_frame = angles
-        omega3, slip_x, slip_y, turned, x, y, friction, air = states[6:]
+        """With what happens on the table: slip, place and what is dissipated, (6, N)."""
         return SlidingTrajectory(
             motion=self,
             t=times,
-            **of_spinors(spinors, states[4:6], psi_in_frame),
-            phi=phi,
-            psi=psi_in_frame + turned,
-            **spinning(self.body, omega3),
-            centre=np.column_stack([x, y]),
-            slip=np.column_stack([slip_x, slip_y]),
-            dissipated_by_friction=friction,
-            dissipated_by_air=air,
+            **vars(state),
+            slip=table[:2].T,
+            centre=table[2:4].T,
+            dissipated_by_friction=table[4],
+            dissipated_by_air=table[5],
             rolling=rolling,
-            events=found.events,
+            events=events,
         )

@@ -20,13 +20,14 @@ from dataclasses import dataclass, replace
 from typing import Any, cast
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.equations import Number
-from rigidtop.motion.integrate import SUBSTEPS, Accuracy, Flow, Method, Path
+from rigidtop.motion.integrate import SUBSTEPS, Accuracy, Flow, Method, Path, joined
 from rigidtop.motion.table.contact import NOWHERE, Contact, Direction, Moment, units
 
 STANDSTILL = 1e-10
@@ -158,9 +159,19 @@ class Course:
     events: tuple[Event, ...]
 
     @property
-    def ended(self) -> Event | None:
-        """The fall or the lift-off with which it ended."""
-        return self.events[-1] if self.events and self.events[-1].kind in ENDINGS else None
+    def flow(self) -> Flow:
+        """All of it."""
+        return joined([phase.flow for phase in self.phases])
+
+    def rolling(self, times: Floats) -> NDArray[np.bool_]:
+        """Whether the contact rolls, at times (N,)."""
+        ends = np.array([phase.flow.steps[-1] for phase in self.phases[:-1]])
+        return np.array([phase.rolling for phase in self.phases])[np.searchsorted(ends, times)]
+
+
+def ending(events: Sequence[Event]) -> Event | None:
+    """The fall or the lift-off with which a motion ended, if it did."""
+    return events[-1] if events and events[-1].kind in ENDINGS else None
 
 
 def course(contact: Contact, start: Sequence[float], end: float, accuracy: Accuracy) -> Course:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -10,12 +11,12 @@ from numpy.typing import NDArray
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.table.contact import Contact, Sliding
-from rigidtop.motion.table.phases import ENDINGS, Event
-from rigidtop.motion.trajectory import TurningTop, euler_columns
+from rigidtop.motion.table.phases import Event, ending
+from rigidtop.motion.trajectory import TopTrajectory
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class SlidingTrajectory(TurningTop):
+class SlidingTrajectory(TopTrajectory):
     """A top on a table at N times, one row each, in the order in which they were asked for.
 
     Times after a fall or a lift-off are left out: see `ended`.  Angles, their rates and ω are those
@@ -45,7 +46,7 @@ class SlidingTrajectory(TurningTop):
     def columns(self) -> dict[str, Floats]:
         """t, the Euler angles and rates, place, slip, rolling, the table's force, energies."""
         return {
-            **euler_columns(self),
+            **self.euler_columns,
             **{f"{axis}/m": self.position[:, k] for k, axis in enumerate("xyz")},
             **{f"slip_{axis}/(m/s)": self.slip[:, k] for k, axis in enumerate("xy")},
             "rolling": self.rolling.astype(float),
@@ -57,7 +58,7 @@ class SlidingTrajectory(TurningTop):
     @property
     def ended(self) -> Event | None:
         """The fall or the lift-off after which there are no rows, None if there was none."""
-        return self.events[-1] if self.events and self.events[-1].kind in ENDINGS else None
+        return ending(self.events)
 
     @cached_property
     def _known(self) -> Floats:
@@ -130,15 +131,20 @@ class SlidingTrajectory(TurningTop):
         along = body.lambda3 * self.omega[:, 2]
         return (body.R - body.tip) * along + body.tip * self.angular_momentum[:, 2]
 
+    def conserved(self) -> Mapping[str, Floats]:
+        """The energy together with what is dissipated."""
+        return {"energy": self.energy + self.dissipated_by_friction + self.dissipated_by_air}
+
+    @property
+    def scales(self) -> tuple[float, float]:
+        """The kinetic energy at t = 0 and MgR together (J), and 1 J s."""
+        start, body = self.motion.start(), self.motion.body
+        below = body.R - float(start.position[0, 2])
+        return float(start.energy[0]) + body.M * body.g * below, 1.0
+
     def budget(self) -> float:
         """By how much energy and what is dissipated fail to add up to the energy at t = 0, at most.
 
         Relative to the kinetic energy at t = 0 and MgR together.
         """
-        start = self.motion.start()
-        body: Sliding = self.motion.body
-        initial = float(start.energy[0])
-        total = self.energy + self.dissipated_by_friction + self.dissipated_by_air
-        height = float(start.position[0, 2])
-        scale = initial + body.M * body.g * (body.R - height)
-        return float(np.abs(total - initial).max()) / scale
+        return self.drift()["energy"]
