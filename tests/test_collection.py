@@ -342,7 +342,7 @@ def test_a_page_is_audited_by_the_lines_of_its_own_collection(own, capsys):
         changed = changed.replace(right, written)
     notes.write_text(changed, "utf-8")
     assert main(["audit", f"{own}/", str(notes)]) == 1
-    assert "; the claim has m l² θ̈ = −m g l sin θ" in " ".join(capsys.readouterr().out.split())
+    assert "right m l² θ̈ = −m g l sin θ" in " ".join(capsys.readouterr().out.split())
     found = verdicts(capsys, own, notes)
     assert {x for x, verdict in found.items() if verdict == "false"} == {"1.5", "1.8"}
     assert found["1.6"] == "sampled"

@@ -233,7 +233,7 @@ def _of_claims(source: str, audited: Sequence[Copy], macros: Macros) -> Iterator
             line=each.lines[0].row.line,
             verdict=each.verdict,
             passed=each.passed,
-            note=each.note,
+            note=f"{each.note}; right: {each.right}" if each.right else each.note,
             formulas=tuple(_framed(source, formula, macros) for formula in formulas),
         )
 

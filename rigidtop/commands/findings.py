@@ -121,6 +121,7 @@ def of_claim(each: Copy, place: Placing) -> Finding:
 
     more: dict[str, Any] = {
         "slip": "; ".join(filter(None, (line.outcome.slip for line in each.lines))),
+        "right": each.right,
         "equations": [_equation(x.row, x.outcome, place) for x in each.lines],
     }
     if each.judgement is not None:
@@ -135,6 +136,7 @@ def of_claim(each: Copy, place: Placing) -> Finding:
         each.note,
         each.passed or (False if each.verdict == FALSE else None),
         written=", ".join(filter(None, wrong)),
+        right=each.right,
         more=more,
     )
 

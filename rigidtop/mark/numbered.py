@@ -122,8 +122,7 @@ class Copy:
         for line in self.lines:
             if line.outcome.verdict == UNREAD or not (line.as_good or self.judgement is None):
                 where = f"line {line.row.line}: " if line.row.line != first else ""
-                has = f"; the claim has {plain(line.right)}" if line.right is not None else ""
-                parts.append(f"{where}{line.outcome.why}{has}")
+                parts.append(f"{where}{line.outcome.why}")
         if self.judgement is None:
             parts.append("the collection has no claim of this number")
         elif note(self.judgement) and (not parts or not self.judgement.passed):
@@ -131,6 +130,12 @@ class Copy:
         if self.absent:
             parts.append(f"not among the file's lines: {', '.join(map(plain, self.absent))}")
         return "; ".join(parts)
+
+    @property
+    def right(self) -> str:
+        """What the collection has in place of what is not as good."""
+        right = (line.right for line in self.lines if line.right is not None)
+        return ", ".join(map(plain, dict.fromkeys(right)))
 
 
 @dataclass(frozen=True)

@@ -55,7 +55,7 @@ def test_the_notes_are_told_line_by_line(notes):
 def test_a_slip_fails_and_is_refuted_in_its_line(capsys, file):
     assert main(["audit", file(EULER.format("+") + MATRIX)]) == 1
     shown = capsys.readouterr().out
-    assert shown.startswith("line 3 (3.36) is wrong: it holds with another sign before λ₃; the ")
+    assert shown.startswith("line 3 (3.36) is wrong: it holds with another sign before λ₃\n")
     assert "\n  written  λ₁ ω̇₁ = (λ₂ + λ₃) ω₂ ω₃\n" in shown
     assert "2 numbered equations: 1 convention, 1 false" in shown
 
