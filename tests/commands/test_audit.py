@@ -440,7 +440,7 @@ def test_no_file_that_was_read_is_written_over(tmp_path, capsys):
     link.symlink_to(chapter)
     for page in (main_file, chapter, link):
         assert main(["audit", str(main_file), "-o", str(page)]) == 2
-        which = "the file that is audited" if page == main_file else "one that it takes in"
+        which = "the file that is audited" if page == main_file else "a file that it takes in"
         said = f"rigidtop audit: {page} is {which}: write the page elsewhere\n"
         assert capsys.readouterr().err == said
     assert chapter.read_text("utf-8") == "$$F = ma$$\n"
