@@ -410,8 +410,8 @@ def course(tmp_path, init, **files):
 
 WRONG = {
     "syntax": ("PAGES = (", r"__init__\.py, line 1: SyntaxError: '\(' was never closed"),
-    "no pages": ("x = 1", r"__init__\.py: defines no PAGES, the tuple of its pages"),
-    "none": ("PAGES = ()", "PAGES is empty"),
+    "no pages": ("x = 1", r"__init__\.py: has no PAGES, the tuple of its pages, and no page"),
+    "none": ("PAGES = ()", "has no PAGES"),
     "name": (PAGE + "PAGES = (pgae,)", r"__init__\.py, line 10: NameError: name 'pgae'"),
     "no comma": (PAGE + "PAGES = (page)", r"PAGES is a Page, not a tuple: \(x,\) has a comma"),
     "a claim": (PAGE + "PAGES = (one,)", r"PAGES\[0\] is a Claim, not a Page"),

@@ -48,6 +48,7 @@ from rigidtop.collection.kinds import (
     many,
     text,
 )
+from rigidtop.collection.pages import declared, page_of, pages_of
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.judge.page import refuted
@@ -200,7 +201,9 @@ def is_folder(word: str) -> bool:
     """
     if any(separator in word for separator in {"/", os.sep}):
         return True
-    return (Path(word) / "__init__.py").is_file() and not built_in().has(word)
+    folder = Path(word)
+    is_one = (folder / "__init__.py").is_file() or (folder.is_dir() and bool(pages_of(folder)))
+    return is_one and not built_in().has(word)
 
 
 @contextmanager
@@ -218,12 +221,17 @@ def opened(words: Sequence[str]) -> Iterator[tuple[Collection, list[str]]]:
 
 
 def load(folder: Path | str) -> Collection:
-    """Import a folder: this runs it.  RigidtopError, in one line, for what is wrong in it."""
+    """Import a folder: this runs what Python it has.  RigidtopError for what is wrong in it."""
     folder = Path(folder)
     if not folder.is_dir():
         raise RigidtopError(f"no folder {str(folder)!r}")
     if not (folder / "__init__.py").is_file():
-        raise RigidtopError(f"{folder} is no collection: it has no __init__.py")
+        if not pages_of(folder):
+            raise RigidtopError(
+                f"{folder} is no collection: it has no __init__.py, and no page in Markdown that "
+                "begins with a section such as '# 1 The pendulum'"
+            )
+        return _collection(ModuleType(module_name(folder)), folder)
     try:
         module = imported(folder)
     except (Exception, SystemExit) as error:
@@ -238,11 +246,21 @@ def load(folder: Path | str) -> Collection:
 
 
 def _collection(module: ModuleType, folder: Path) -> Collection:
-    if not hasattr(module, "PAGES"):
-        raise RigidtopError("defines no PAGES, the tuple of its pages")
-    pages = many(module.PAGES, Page, "PAGES")
-    if not pages:
-        raise RigidtopError("PAGES is empty")
+    by_hand = many(getattr(module, "PAGES", ()), Page, "PAGES")
+    written = () if by_hand else pages_of(folder)
+    if not by_hand and not written:
+        raise RigidtopError(
+            "has no PAGES, the tuple of its pages, and no page in Markdown begins with a section "
+            "such as '# 1 The pendulum'"
+        )
+    names = [page.text for page in by_hand if page.text] or [name for *_, name in written]
+    own = declared((f"{name}.md", text) for name, text in _sources(folder, names))
+    notation = _notation(folder, own.symbols)
+    letters = letters_of(notation)
+    letters = replace(letters, numbers=letters.numbers | own.numbers)
+    read = partial(_lecture, folder, names, notation, letters)
+    texts = {text.name: text for text in read(()).texts} if written else {}
+    pages = by_hand or tuple(page_of(number, title, texts[name]) for number, title, name in written)
     exercises = many(getattr(module, "EXERCISES", ()), Exercise, "EXERCISES")
     check_pages(pages)
     check_exercises(exercises, pages)
@@ -257,17 +275,17 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
     )
     once = {id(claim): watched(claim, folder) for claim in claims(pages, exercises)}
 
-    def own(owner: Any) -> Any:
+    def mine(owner: Any) -> Any:
         return replace(owner, claims=tuple(once[id(claim)] for claim in owner.claims))
 
-    asked = tuple(map(own, exercises))
+    asked = tuple(map(mine, exercises))
     return Collection(
         front,
-        tuple(map(own, pages)),
+        tuple(map(mine, pages)),
         lambda: asked,
         folder,
-        notation := _notation(folder),
-        read=partial(_lecture, folder, pages, notation, letters := letters_of(notation)),
+        notation,
+        read=read,
         letters=letters,
         models=many(getattr(module, "MODELS", ()), Model, "MODELS"),
     )
@@ -277,22 +295,23 @@ LAWS = "laws"
 """The text that stands before all others, if a folder has it."""
 
 
+def _sources(folder: Path, names: Sequence[str]) -> list[tuple[str, str]]:
+    """The texts of a folder with their names, laws.md first."""
+    names = [LAWS, *names] if (folder / f"{LAWS}.md").is_file() else names
+    return [(name, text_of(folder / f"{name}.md")) for name in names]
+
+
 def _lecture(
     folder: Path,
-    pages: Sequence[Page],
+    names: Sequence[str],
     notation: Notation,
     letters: Letters,
     exercises: Sequence[str],
 ) -> Lecture:
-    """The texts of a folder, laws.md first, those of exercises last."""
-    names = [LAWS] if (folder / f"{LAWS}.md").is_file() else []
-    names += [page.text for page in pages if page.text]
-
-    def sources(names: Sequence[str]) -> list[tuple[str, str]]:
-        return [(name, text_of(folder / f"{name}.md")) for name in names]
-
-    lecture = replace(read_lecture(sources(names), letters, notation), refuted=refuted)
-    return read_exercises(sources(exercises), lecture, notation)
+    """The texts of a folder, those of exercises last."""
+    read = read_lecture(_sources(folder, names), letters, notation)
+    behind = [(name, text_of(folder / f"{name}.md")) for name in exercises]
+    return read_exercises(behind, replace(read, refuted=refuted), notation)
 
 
 def letters_of(notation: Notation) -> Letters:
@@ -325,12 +344,15 @@ def letters_of(notation: Notation) -> Letters:
     )
 
 
-def _notation(folder: Path) -> Notation:
-    """The letters of the symbols that the folder's modules have: its own, and the lecture's."""
+def _notation(folder: Path, declared: Sequence[Lettered]) -> Notation:
+    """The letters that pages declare and those that the folder's modules have.
+
+    Modules have their own and those of the lecture that they import.
+    """
     name = module_name(folder)
     modules = [vars(m) for known, m in sys.modules.items() if f"{known}.".startswith(f"{name}.")]
     values = [value for names in modules for value in names.values()]
-    used = {value for value in values if isinstance(value, Symbol)} | {symbols.const}
+    used = {value for value in values if isinstance(value, Symbol)} | {symbols.const, *declared}
     if any(value is symbols for value in values):  # from rigidtop.theory import symbols
         used |= {*NOTATION.glyphs}
     own = sorted((x for x in used if isinstance(x, Lettered)), key=lambda x: (x.place, x.name))

@@ -18,6 +18,7 @@ A collection is Python and runs as such. What is written passes at once:
   rigidtop new my_course
   rigidtop check my_course/
   rigidtop lecture my_course/ -o out
+  rigidtop new --page my_chapter          # Markdown alone: letters, laws, claims
   rigidtop new --system my_system"""
 
 STARTER = Path(__file__).parents[1] / "starter"
@@ -26,10 +27,16 @@ STARTER = Path(__file__).parents[1] / "starter"
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command to its parser."""
-    parser.add_argument(
+    kind = parser.add_mutually_exclusive_group()
+    kind.add_argument(
         "--system",
         action="store_true",
         help="start from a Lagrangian: a system, its derivation line by line, two claims",
+    )
+    kind.add_argument(
+        "--page",
+        action="store_true",
+        help="write a page in Markdown alone: its letters, its laws, its claims, and no Python",
     )
     parser.add_argument("folder", help="a folder that is not there yet, or is empty")
 
@@ -42,15 +49,38 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError("name a folder, such as my_course")
     folder = Path(options.folder)
     _check_name(folder.resolve().name)
-    starter = STARTER / "system" if options.system else STARTER
-    names = sorted(file.name for file in starter.glob("*") if file.suffix in (".py", ".md"))
-    write(folder, {name: (starter / name).read_bytes() for name in names})
+    contents = (
+        _page() if options.page else _files(STARTER / "system" if options.system else STARTER)
+    )
+    names = [*contents]
+    write(folder, contents)
     if options.json:
         print_json({"files": [str(folder / name) for name in names]})
     else:
         print("\n".join(str(folder / name) for name in names))
         print(f"now: rigidtop check {typed(folder)}")
     return 0
+
+
+def _files(starter: Path) -> dict[str, bytes]:
+    """The files that are copied, by their names."""
+    found = sorted(file for file in starter.glob("*") if file.suffix in (".py", ".md"))
+    return {file.name: file.read_bytes() for file in found}
+
+
+def _page() -> dict[str, bytes]:
+    """The starter's page with a table of its letters, which needs nothing beside it."""
+    from rigidtop.collection.pages import table_of
+    from rigidtop.starter import letters
+    from rigidtop.theory.lettered import Lettered
+
+    symbols = sorted(
+        (x for x in vars(letters).values() if isinstance(x, Lettered)), key=lambda x: x.place
+    )
+    page = (STARTER / "pendulum.md").read_text("utf-8")
+    before, laws, behind = page.partition("## Laws\n")
+    written = f"{before}{table_of(symbols)}\n\n{laws}{behind}"
+    return {"pendulum.md": written.encode()}
 
 
 def _check_name(name: str) -> None:

@@ -36,6 +36,7 @@ from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
 from rigidtop.read.equations import equations as read
+from rigidtop.read.tables import is_of_letters
 from rigidtop.read.tex import unread
 from rigidtop.read.walk import places
 
@@ -116,6 +117,8 @@ class _Reader:
     source: str = ""
 
     def take(self, text: str, at: int) -> None:
+        if is_of_letters(text):  # they are the collection's
+            return
         if text.startswith("#"):
             self.end()
             level = len(text) - len(text.lstrip("#"))

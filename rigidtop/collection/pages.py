@@ -1,0 +1,213 @@
+r"""What pages of Markdown say by themselves: their sections, their claims and their letters.
+
+A page begins with its section, ``# 2 The Kepler problem``.  What has a number or an anchor is a
+claim, and says what stands in front of it.  The letters stand in tables whose first column is
+headed "letter"::
+
+    | letter       | meaning             | unit | kind       |
+    | ------------ | ------------------- | ---- | ---------- |
+    | $m$          | mass of the planet  | kg   | positive   |
+    | $r$          | distance to the sun | m    | coordinate |
+    | $\mathbf r$  | position            | m    | vector     |
+
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from sympy import Symbol
+
+from rigidtop.errors import RigidtopError
+from rigidtop.proof.lecture import Heading, Prose, Text
+from rigidtop.proof.page import Claim, Page
+from rigidtop.proof.words import bold
+from rigidtop.read.statements import statements
+from rigidtop.read.tables import Row, rows
+from rigidtop.terminal.files import text_of
+from rigidtop.theory.lettered import Lettered, in_order, positive, real
+from rigidtop.theory.symbols import Glyph
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.plain import plain
+from rigidtop.tree.statement import Statement
+from rigidtop.typeset.latex import letter
+
+KINDS = {
+    "positive": "a number that is positive",
+    "number": "a number of any sign, or a vector that does not change",
+    "coordinate": "a coordinate, whose rates have letters too",
+    "vector": "a vector that moves",
+    "variable": "anything else that depends on the motion",
+}
+"""What a letter can be, as the last column of the table says."""
+
+_SECTION = re.compile(r"^#{1,2}[ \t]+(\d+(?:\.\d+)*)[ \t]+(\S[^\n]*)$", re.M)
+_SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z$])")
+_FORMULA = re.compile(r"\$([^$]+)\$")
+
+
+def pages_of(folder: Path) -> tuple[tuple[str, str, str], ...]:
+    """The section, the title and the name of each page of a folder, in the order of sections."""
+    found = []
+    for path in sorted(folder.glob("*.md")):
+        heading = _SECTION.search(text_of(path))
+        if heading is not None:
+            found.append((heading[1], heading[2].strip(), path.stem))
+    return tuple(sorted(found, key=lambda page: [int(part) for part in page[0].split(".")]))
+
+
+# --- Claims --------------------------------------------------------------------------------------
+
+
+def page_of(section: str, title: str, text: Text) -> Page:
+    """A page with the claims that its text makes."""
+    about = next((block.words for block in text.blocks if isinstance(block, Prose)), title)
+    return Page(section, title, _in_words(about), tuple(_claims(text)), text=text.name)
+
+
+def _claims(text: Text) -> Iterator[Claim]:
+    """What has a number or an anchor, with the words in front of it."""
+    words, named = "", set[str]()
+    for block in text.blocks:
+        if isinstance(block, Heading):
+            words = block.words
+        elif isinstance(block, Prose):
+            words = _SENTENCE.split(block.words)[-1]
+        elif block.line is not None:
+            for name in dict.fromkeys((block.name, *(e.tag for e in block.line.equations))):
+                if name and name not in named:
+                    named.add(name)
+                    yield Claim(name, _in_words(words).rstrip(".") + ".")
+
+
+def _in_words(sentence: str) -> str:
+    """A sentence with its formulas as they are read aloud, between dollars."""
+    return " ".join(_FORMULA.sub(_spelt, sentence).split())
+
+
+def _spelt(found: re.Match[str]) -> str:
+    read = statements(found[1])
+    if not all(isinstance(each, Statement) for each in read):
+        return found[0]
+    return ", ".join(f"${plain(_with_bold(x))}$" for x in read if isinstance(x, Statement))
+
+
+def _with_bold(each: Statement) -> Statement:
+    def change(node: Node) -> Node:
+        if isinstance(node, Letter) and node.bold and len(node.base) == 1:
+            return replace(node, base=bold(node.base), bold=False)
+        return node
+
+    return replace(each, sides=tuple(n.mapped(side, change) for side in each.sides))
+
+
+# --- Letters -------------------------------------------------------------------------------------
+
+
+def table_of(symbols: Sequence[Lettered]) -> str:
+    """The table that declares some letters; those of rates are declared with their coordinates."""
+    glyphs = {x.quantity.glyph for x in symbols}
+    lines = []
+    for symbol in symbols:
+        quantity, glyph = symbol.quantity, symbol.quantity.glyph
+        if glyph.accent in ("dot", "ddot"):
+            continue
+        kind = "positive" if symbol.is_positive else "vector" if glyph.bold else ""
+        kind = "coordinate" if not kind and replace(glyph, accent="dot") in glyphs else kind
+        lines.append(f"| ${letter(glyph)}$ | {quantity.meaning} | {quantity.unit} | {kind} |")
+    head = ("| letter | meaning | unit | kind |", "| --- | --- | --- | --- |")
+    return "\n".join((*head, *lines))
+
+
+@dataclass(frozen=True)
+class Declared:
+    """The letters that pages declare; `numbers` are those that do not change in time."""
+
+    symbols: tuple[Lettered, ...] = ()
+    numbers: frozenset[Symbol] = frozenset()
+
+
+def declared(sources: Iterable[tuple[str, str]]) -> Declared:
+    """The letters of some pages, (file, text), in the order in which they are declared.
+
+    Raises RigidtopError, with file and line, for a row that declares none, and for a letter that is
+    declared twice and not alike.
+    """
+    made: dict[Glyph, tuple[Lettered, str]] = {}
+    wrong = []
+    for file, text in sources:
+        for row in rows(text):
+            try:
+                for symbol, kind in _row(row):
+                    glyph = symbol.quantity.glyph
+                    if glyph in made and made[glyph][0].quantity != symbol.quantity:
+                        raise RigidtopError(
+                            f"{row.cells[0]} is {made[glyph][0].quantity.meaning!r} already: a "
+                            "letter means one thing in all pages"
+                        )
+                    made.setdefault(glyph, (symbol, kind))
+            except RigidtopError as error:
+                wrong.append(f"{file}, line {row.line}: {error}")
+    if wrong:
+        raise RigidtopError("\n".join(wrong))
+    symbols = in_order(*(symbol for symbol, _ in made.values()))
+    kinds = [kind for _, kind in made.values()]
+    fixed = (x for x, kind in zip(symbols, kinds, strict=True) if kind in ("positive", "number"))
+    return Declared(symbols, frozenset(fixed))
+
+
+def _row(row: Row) -> Iterator[tuple[Lettered, str]]:
+    """The symbols that a row declares, those for rates too, each with its kind."""
+    if len(row.cells) != 4:
+        raise RigidtopError("a letter has four columns: letter, meaning, unit, kind")
+    letters, meaning, unit, kind = row.cells
+    kind = kind or "variable"
+    if kind not in KINDS:
+        raise RigidtopError(f"{kind!r} is no kind of letter: {', '.join(KINDS)}")
+    for latex in letters.split(","):
+        glyph = _glyph(latex.strip())
+        if glyph.bold != (kind == "vector") and not (glyph.bold and kind == "number"):
+            raise RigidtopError(f"{latex.strip()}: a vector is bold, and what is bold is a vector")
+        make = positive if kind == "positive" else real
+        unit = "" if unit == "–" else unit
+        yield make(_name(glyph), glyph, _in_words(meaning), unit), kind
+        if kind in ("coordinate", "vector") and unit:
+            said = _in_words(meaning)
+            for accent, words in (("dot", "rate of"), ("ddot", "second rate of")):
+                unit = _per_second(unit)
+                fast = replace(glyph, accent=accent)
+                yield real(_name(fast), fast, f"{words} {said}", unit), "variable"
+
+
+def _per_second(unit: str) -> str:
+    """The unit of a rate."""
+    if unit == "1":
+        return "1/s"
+    powers = {"/s": "/s²"}
+    for end, longer in powers.items():
+        if unit.endswith(end):
+            return unit.removesuffix(end) + longer
+    return f"{unit}/s"
+
+
+def _glyph(latex: str) -> Glyph:
+    """The glyph of a letter between dollars.  Raises RigidtopError where there is none."""
+    formula = _FORMULA.fullmatch(latex)
+    read = statements(formula[1]) if formula else ()
+    side = read[0].sides[0] if len(read) == 1 and isinstance(read[0], Statement) else None
+    prime = isinstance(side, n.Primed) and side.order == 1
+    side = side.of if isinstance(side, n.Primed) and prime else side
+    if not isinstance(side, Letter) or side.mark not in ("", "hat", "′"):
+        raise RigidtopError(f"{latex or 'nothing'} is no letter between dollars, such as $m$")
+    accent = "hat" if side.mark == "hat" else ""
+    return Glyph(side.base, side.sub, accent, side.bold, prime or side.mark == "′")
+
+
+def _name(glyph: Glyph) -> str:
+    """A name for programs that no other glyph has."""
+    parts = (glyph.base, glyph.sub, glyph.accent, "vec" * glyph.bold, "prime" * glyph.prime)
+    return "_".join(filter(None, parts))

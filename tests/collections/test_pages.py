@@ -1,0 +1,148 @@
+r"""A folder of Markdown alone is a collection: sections, claims and letters come from its pages."""
+
+import json
+
+import pytest
+
+from rigidtop.cli import main
+from rigidtop.collection import load
+from rigidtop.collection.pages import KINDS, declared, table_of
+from rigidtop.errors import RigidtopError
+from rigidtop.starter import letters
+from rigidtop.theory.lettered import Lettered
+
+SPRING = r"""# 2 The spring
+
+A cart of mass $m$ on a spring.
+
+| letter | meaning | unit | kind |
+| ------ | ------- | ---- | ---- |
+| $m$ | mass of the cart | kg | positive |
+| $k$ | stiffness | N/m | positive |
+| $x_0$ | place of rest | m | number |
+| $x$ | place | m | coordinate |
+| $E$ | energy | J | |
+
+## Laws
+
+Hooke 1678 and Newton 1687. Along the motion, the law of the spring:
+
+$$\ddot x = -\frac km x$$
+
+Definition. The energy:
+
+$$E = \tfrac12 m\dot x^2 + \tfrac12 kx^2$$
+
+## Nothing is lost
+
+The energy of the cart is conserved.
+
+Differentiate the energy in time:
+
+$$\dot E = m\dot x\ddot x + kx\dot x$$
+
+<a id="kept"></a>
+
+What the spring takes it gives back, as $\dot E$ says.
+
+Substitute the law of the spring into $\dot E$:
+
+$$\dot E = 0 \tag{2.1}$$
+"""
+
+
+@pytest.fixture
+def spring(tmp_path):
+    folder = tmp_path / "spring"
+    folder.mkdir()
+    (folder / "cart.md").write_text(SPRING, "utf-8")
+    return folder
+
+
+def test_sections_and_claims_are_those_of_the_pages(spring):
+    (spring / "early.md").write_text("# 1.10 Before\n\nWords.\n", "utf-8")
+    (spring / "notes.md").write_text("No section.\n", "utf-8")
+    pages = load(spring).pages
+    assert [(page.section, page.title, page.text) for page in pages] == [
+        ("1.10", "Before", "early"),
+        ("2", "The spring", "cart"),
+    ]
+    assert pages[1].about == "A cart of mass $m$ on a spring."
+    assert [(claim.name, claim.says) for claim in pages[1].claims] == [
+        ("kept", "What the spring takes it gives back, as $Ė$ says."),
+        ("2.1", "What the spring takes it gives back, as $Ė$ says."),
+    ]
+
+
+def test_every_line_is_judged(spring, capsys):
+    assert main(["check", f"{spring}/", "--json"]) == 0
+    told = {each["name"]: each["verdict"] for each in json.loads(capsys.readouterr().out)}
+    assert told == {"kept": "proved", "2.1": "proved"}
+    wrong = SPRING.replace(r"+ kx\dot x", r"- kx\dot x")
+    (spring / "cart.md").write_text(wrong, "utf-8")
+    assert main(["check", f"{spring}/"]) == 1
+    assert "cart.md, line 27, does not follow" in " ".join(capsys.readouterr().out.split())
+
+
+def test_letters_have_kinds_and_rates_and_units(spring):
+    collection = load(spring)
+    by_name = {x.name: x for x in collection.notation.glyphs if isinstance(x, Lettered)}
+    assert by_name["x_ddot"].quantity.unit == "m/s²"
+    assert by_name["x_dot"].quantity.meaning == "rate of place"
+    assert [by_name[x].is_positive for x in ("m", "x_0")] == [True, None]
+    assert collection.letters.numbers == {by_name[x] for x in ("m", "k", "x_0")}
+    assert collection.letters.coordinates == (by_name["x"],)
+
+
+def test_a_wrong_unit_is_told(spring, capsys):
+    (spring / "cart.md").write_text(SPRING.replace("| N/m |", "| N |"), "utf-8")
+    assert main(["check", f"{spring}/"]) == 1
+    assert "cart.md, line 15: the units disagree: ẍ is in" in " ".join(capsys.readouterr().out.split())
+
+
+@pytest.mark.parametrize(
+    ("row", "why"),
+    [
+        ("| $m$ | mass | kg |", "cart.md, line 7: a letter has four columns"),
+        ("| $m$ | mass | kg | great |", "line 7: 'great' is no kind of letter: positive, number,"),
+        ("| mass | mass | kg | |", "line 7: mass is no letter between dollars, such as $m$"),
+        ("| $m + k$ | mass | kg | |", "$m + k$ is no letter"),
+        (r"| $\mathbf m$ | mass | kg | |", "a vector is bold, and what is bold is a vector"),
+        ("| $x$ | way | m | coordinate |", "$x$ is 'way' already: a letter means one thing"),
+        ("| $m$ | mass | stone | positive |", "the unit 'stone' of m is not known"),
+    ],
+)
+def test_a_row_that_declares_no_letter_is_told(spring, row, why):
+    declared_so = SPRING.replace("| $m$ | mass of the cart | kg | positive |", row)
+    (spring / "cart.md").write_text(declared_so, "utf-8")
+    with pytest.raises(RigidtopError) as told:
+        load(spring)
+    assert why in str(told.value)
+
+
+def test_a_folder_without_a_section_is_no_collection(tmp_path):
+    (tmp_path / "a.md").write_text("# Words\n", "utf-8")
+    with pytest.raises(RigidtopError, match="begins with a section such as '# 1 The pendulum'"):
+        load(tmp_path)
+
+
+def test_what_is_started_as_a_page_passes_and_has_the_starters_letters(tmp_path, capsys):
+    folder = tmp_path / "chapter"
+    assert main(["new", "--page", str(folder)]) == 0
+    assert [file.name for file in folder.iterdir()] == ["pendulum.md"]
+    assert main(["check", f"{folder}/"]) == 0
+    assert "2 claims: 1 proved, 1 assuming" in capsys.readouterr().out
+    text = (folder / "pendulum.md").read_text("utf-8")
+    own = [x for x in vars(letters).values() if isinstance(x, Lettered)]
+    found = declared([("pendulum.md", text)]).symbols
+    assert {x.quantity.glyph: x.quantity.unit for x in found} == {
+        x.quantity.glyph: x.quantity.unit for x in own
+    }
+    assert table_of(sorted(own, key=lambda x: x.place)) in text
+
+
+def test_the_kinds_are_those_of_the_guide():
+    from pathlib import Path
+
+    guide = Path(__file__).parents[2] / "notebooks" / "site" / "howto" / "own-page.md"
+    assert all(f"`{kind}`" in guide.read_text("utf-8") for kind in KINDS)
