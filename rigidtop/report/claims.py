@@ -264,17 +264,13 @@ def _has_grid(node: Node) -> bool:
 def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:
     """Where two sides differ, "at a = 1, b = 2", in the order of the vocabulary; and the two."""
     ordered = sorted(found.values.items(), key=lambda kv: (known(kv[0])[0], str(kv[0])))
-    at: list[b.Piece] = []
-    for symbol, value in ordered:
-        at += [
-            ", " if at else "at ",
-            lay.Chain((layout(symbol), short_number(value)), ("=",)),
-        ]
+    numbers = ((lay.Chain((layout(x), short_number(value)), ("=",)),) for x, value in ordered)
+    at = ("at ", *b.listed(numbers)) if ordered else ()
     pair = found.left, found.right
     left, right = map(_real_number, pair)
     if left == right and pair[0] != pair[1]:
         left, right = (_real_number(side, 12) for side in pair)
-    return tuple(at), left or "undefined", right or "undefined"
+    return at, left or "undefined", right or "undefined"
 
 
 def sides(left: b.Piece, right: b.Piece, place: b.Rich = ()) -> b.Rich:

@@ -18,7 +18,7 @@ from rigidtop.proof.page import Claim, Page
 from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
-from rigidtop.report.claims import derivation, tagged_rows
+from rigidtop.report.claims import claim_blocks, derivation, tagged_rows
 from rigidtop.report.marks import SAID, marked
 from rigidtop.report.numbers import apart, cells, cleaned, given, in_degrees
 from rigidtop.report.solutions import Solution, posed
@@ -37,6 +37,16 @@ class Parts:
     closing: Mapping[str, str]
     """To which section a figure belongs, by its name."""
     points: str = ""
+    recorded: bool = False
+    """Whether all that was found stands with a claim, and not its mark alone."""
+
+    def beside(self, judgement: Judgement, lines: Sequence[Equation]) -> Sequence[b.Mark | b.Block]:
+        """What stands beside and behind the `lines` of a claim."""
+        return claim_blocks(judgement) if self.recorded else marked(judgement, lines)
+
+    def alone(self, judgement: Judgement) -> list[b.Block]:
+        """A claim that has no lines."""
+        return claim_blocks(judgement) if self.recorded else stated(judgement)
 
     def equations(self, text: Text) -> list[Equation]:
         """The equations of all lines of a text, in the notation."""
@@ -45,21 +55,10 @@ class Parts:
 
 def sections(judged: b.Judged, exercises: Sequence[Solution], parts: Parts) -> list[b.Block]:
     """The lecture section by section: text with figures, then exercises."""
-    named = {text.name: text for text in parts.lines.texts}
     made: list[b.Block] = []
     numbered = {id(each): k for k, each in enumerate(exercises, 1)}
     for page, judgements in judged:
-        made += b.headings(page)
-        text = named.get(page.text)
-        if text is None:
-            made.append(b.Paragraph((page.about,), held=True))
-        else:
-            lines = parts.equations(text)
-            marks = {j.claim.name: marked(j, lines) for j in judgements}
-            made += text_blocks(parts.lines, text, parts.notation, marks, parts.figures)
-        for judgement in judgements:
-            if text is None or judgement.claim.name not in parts.lines.names:
-                made += stated(judgement)
+        made += section(page, judgements, parts)
         shown_ = {block.name for block in made if isinstance(block, b.Figure)}
         made += [
             each
@@ -72,6 +71,31 @@ def sections(judged: b.Judged, exercises: Sequence[Solution], parts: Parts) -> l
         for each in asked:
             made += question(each.exercise, each.settings, numbered[id(each)], parts.points)
     return made
+
+
+def section(page: Page, judgements: Sequence[Judgement], parts: Parts) -> list[b.Block]:
+    """The text of a page under its headings, each of its claims at its lines."""
+    blocks: list[b.Block] = [*b.headings(page)]
+    text = next((each for each in parts.lines.texts if each.name == page.text), None)
+    if text is None:
+        blocks.append(b.Paragraph((page.about,), held=True))
+        return [*blocks, *(block for each in judgements for block in parts.alone(each))]
+    return [*blocks, *_read(parts.lines, text, judgements, parts, parts.lines.names)]
+
+
+def _read(
+    lines: Lecture,
+    text: Text,
+    judgements: Sequence[Judgement],
+    parts: Parts,
+    placed: Collection[str],
+) -> list[b.Block]:
+    """A text with each claim at its lines, behind it those that are not `placed` there."""
+    equations = parts.equations(text)
+    beside = {each.claim.name: parts.beside(each, equations) for each in judgements}
+    blocks = text_blocks(lines, text, parts.notation, beside, parts.figures)
+    others = (each for each in judgements if each.claim.name not in placed)
+    return [*blocks, *(block for each in others for block in parts.alone(each))]
 
 
 def order_of_figures(
@@ -123,16 +147,14 @@ def question(
     exercise: Exercise, values: Mapping[str, float], number: int, points: str = ""
 ) -> list[b.Block]:
     """An exercise as it is asked, its numbers as people write them."""
-    made = posed(exercise, number, points)
-    settings: list[Any] = []
+    settings: list[b.Rich] = []
     for parameter in exercise.parameters:
         value = given(values[parameter.name], parameter.unit)
         # A line does not begin with a few digits.
         space = "\u00a0" if len(plain.rich(value)) < SHORT else " "
-        settings += ["; " if settings else "", parameter.about, f":{space}", *value]
-    if settings:
-        made.append(b.Paragraph((*(piece for piece in settings if piece), "."), "Given"))
-    return made
+        settings.append((parameter.about, f":{space}", *value))
+    told = [b.Paragraph((*b.listed(settings, "; "), "."), "Given")] if settings else []
+    return [*posed(exercise, number, points), *told]
 
 
 SHORT = 12
@@ -180,22 +202,16 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, b.Rich]) -> list
     had = [j for j in solution.judgements if j.claim.name in told]
     there = [j.claim for j in had if j.verdict is not Verdict.FALSE]
     if there:
-        names: list[Any] = []
-        for k, claim in enumerate(there):
-            between = "" if k == 0 else " and " if k == len(there) - 1 else ", "
-            names += [between, *_called(claim, told[claim.name])]
-        made.append(b.Paragraph(("We have shown: ", *(n for n in names if n), ".")))
+        names = (_called(claim, told[claim.name]) for claim in there)
+        made.append(b.Paragraph(("We have shown: ", *b.listed(names, last=" and "), ".")))
     text, lines = solution.text, solution.lines
     new = [j for j in solution.judgements if j.claim.name not in told]
-    here = {line.id for line in text.lines} if text is not None else set()
-    said = {name for name, ids in lines.names.items() if here & set(ids)}
-    if text is not None:
-        shown_ = parts.equations(text)
-        marks = {j.claim.name: marked(j, shown_) for j in new}
-        made += text_blocks(lines, text, parts.notation, marks, parts.figures)
-    for judgement in new:
-        if judgement.claim.name not in said:
-            made += stated(judgement)
+    if text is None:
+        made += [block for each in new for block in parts.alone(each)]
+    else:
+        here = {line.id for line in text.lines}
+        placed = {name for name, ids in lines.names.items() if here & set(ids)}
+        made += _read(lines, text, new, parts, placed)
     made += results(solution)
     own = f"exercise-{exercise.name}"
     if own in parts.figures:

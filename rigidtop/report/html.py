@@ -152,21 +152,6 @@ def _figure(block: b.Figure, figures: Mapping[str, str]) -> str:
     return f"<figure {place}>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"
 
 
-def rich(content: b.Rich) -> str:
-    """Running text with formulas."""
-    return "".join(map(_piece, content))
-
-
-def _piece(piece: b.Piece) -> str:
-    if isinstance(piece, b.Unit):
-        return escape(piece.spaced)
-    if isinstance(piece, Verdict):
-        return badge(piece)
-    if isinstance(piece, b.Cited):
-        return f'<a href="#{piece.anchor}">{escape(piece.words)}</a>'
-    return prose_html(piece) if isinstance(piece, str) else _flat(piece)
-
-
 def _flat(formula: lay.Node) -> str:
     """A formula in a sentence; its brackets do not grow where it is no higher than its line."""
     made = mathml.mathml(lay.flat(formula))
@@ -177,6 +162,15 @@ def badge(verdict: Verdict) -> str:
     """A verdict as a mark and a word, so that colour is not needed."""
     mark = f'<span aria-hidden="true">{b.MARKS[verdict]} </span>'
     return f'<span class="badge {verdict}">{mark}{verdict}</span>'
+
+
+rich = b.Script(
+    words=prose_html,
+    formula=_flat,
+    unit=escape,
+    cited=lambda place: f'<a href="#{place.anchor}">{escape(place.words)}</a>',
+    verdict=badge,
+)
 
 
 @singledispatch

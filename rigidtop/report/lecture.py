@@ -117,13 +117,11 @@ def claims_told(
     known |= {j.claim.name: j for each in solutions for j in each.judgements}
 
     def named(label: str, names: Sequence[str]) -> b.Paragraph:
-        made: list[b.Piece] = []
-        for name in names:
-            words = map_label(lines, name, notation)
-            there = myst.page_of(b.anchor(name))
-            made += [", "] if made else []
-            made.append(b.Cited(words, there) if name in known else words)
-        return b.Paragraph((*made, "."), label)
+        return b.Paragraph((*b.listed((cited(name),) for name in names), "."), label)
+
+    def cited(name: str) -> b.Piece:
+        words = map_label(lines, name, notation)
+        return b.Cited(words, myst.page_of(b.anchor(name))) if name in known else words
 
     made: list[tuple[b.ClaimHead, list[b.Block]]] = []
     for name, judgement in known.items():

@@ -37,17 +37,12 @@ def _plain(text: str) -> str:
     return "".join(f"&#{ord(c)};" if c in "\\*_`$|<>&[]#" else c for c in text)
 
 
-def running(content: b.Rich) -> str:
-    """Running text with formulas."""
-    return "".join(map(_piece, content))
-
-
-def _piece(piece: b.Piece) -> str:
-    if isinstance(piece, b.Unit):
-        return _plain(piece.spaced)
-    if isinstance(piece, b.Cited):
-        return f"[{_plain(piece.words)}](#{piece.anchor})"
-    return words(piece) if isinstance(piece, str) else f"${latex(piece)}$"
+running = b.Script(
+    words=words,
+    formula=lambda node: f"${latex(node)}$",
+    unit=_plain,
+    cited=lambda place: f"[{_plain(place.words)}](#{place.anchor})",
+)
 
 
 def _label(label: str) -> str:

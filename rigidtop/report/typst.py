@@ -10,7 +10,6 @@ from functools import singledispatch
 from importlib.resources import files
 
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.verdict import Verdict
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.pdf import written_at
@@ -172,19 +171,13 @@ def _words(text: str) -> str:
     return text.replace("\\", "").replace("---", "—").replace("--", "–")
 
 
-def rich(content: b.Rich) -> str:
-    """Running text with formulas."""
-    return "".join(map(_piece, content))
-
-
-def _piece(piece: b.Piece) -> str:
-    if isinstance(piece, b.Unit):
-        return plain(piece.spaced)
-    if isinstance(piece, Verdict):
-        return f'#verdict("{piece}")'
-    if isinstance(piece, b.Cited):
-        return f'#link(label("{piece.anchor}"))[{plain(piece.words)}]'
-    return prose(piece) if isinstance(piece, str) else _inline(in_words(lay.flat(piece)))
+rich = b.Script(
+    words=prose,
+    formula=lambda node: _inline(in_words(lay.flat(node))),
+    unit=plain,
+    cited=lambda place: f'#link(label("{place.anchor}"))[{plain(place.words)}]',
+    verdict=lambda verdict: f'#verdict("{verdict}")',
+)
 
 
 def _note(mark: b.Mark | None) -> str:
