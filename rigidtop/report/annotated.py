@@ -12,10 +12,9 @@ from dataclasses import dataclass
 from html import escape
 
 from rigidtop.proof.verdict import Verdict
-from rigidtop.report.html import badge, style
+from rigidtop.report.html import badge, prose_html, style
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import mathml
-from rigidtop.typeset.sentences import prose_html
 
 
 @dataclass(frozen=True)

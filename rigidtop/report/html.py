@@ -6,22 +6,40 @@ import math
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import singledispatch
+from functools import cache, singledispatch
 from html import escape
 from importlib.resources import files
 
 from rigidtop.proof.verdict import Verdict
-from rigidtop.proof.words import unmarked
+from rigidtop.proof.words import unbold, unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.markdown import aligned
+from rigidtop.report.transcript import transcript
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import mathml, sizes
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset.latex import align_row, latex
-from rigidtop.typeset.sentences import prose_html
+from rigidtop.typeset.sentences import tex, tied, written
 
 NARROW = 36.0
 """How many letters wide a line is on a small screen."""
+
+
+def prose_html(text: str) -> str:
+    """A sentence as HTML, its formulas as MathML.
+
+    >>> prose_html("a & b's")
+    'a &amp; b’s'
+    """
+    return written(tied(text), _formula, lambda part: escape(part.replace("'", "’"), quote=False))
+
+
+@cache
+def _formula(part: str) -> str:
+    """A formula of a sentence, which says itself in Unicode."""
+    words = unbold(part)
+    plain = f"<mtext>{escape(words)}</mtext>"
+    return transcript(tex(part), {}, alt=words) or mathml.element(plain, words, False)
 
 
 def style(*names: str) -> str:
