@@ -52,15 +52,6 @@ NOTES = Front(
 """The lecture notes on the top."""
 
 
-MEANINGS: Mapping[Verdict, str] = {
-    Verdict.PROVED: "the residual vanishes identically",
-    Verdict.SAMPLED: "the residual vanishes to 40 digits at random points; not shown in symbols",
-    Verdict.ASSUMING: "true only under conditions that the notes do not state beside the claim",
-    Verdict.CONVENTION: "right in content, at odds with the notes' own definitions",
-    Verdict.FALSE: "refuted by numbers",
-    Verdict.DEFINITION: "introduces a name; there is nothing to prove",
-    Verdict.UNDECIDED: "neither shown nor refuted",
-}
 MARKS: Mapping[Verdict, str] = {
     Verdict.PROVED: "✓",
     Verdict.SAMPLED: "≈",

@@ -53,6 +53,26 @@ def style(*names: str) -> str:
     return made.replace("@COLORS@", colors)
 
 
+def page(
+    title: str, styles: Sequence[str], body: str, kind: str = "", what: str = "lecture"
+) -> str:
+    """A whole page that brings its styles along; a reader of `what` it has may skip its head."""
+    return f"""<!DOCTYPE html>
+<html lang="en"{f' class="{kind}"' if kind else ""}>
+<head>
+<meta charset="utf-8"/>
+<meta name="viewport" content="width=device-width, initial-scale=1"/>
+<meta name="color-scheme" content="light dark"/>
+<title>{escape(title)}</title>
+<style>{style(*styles)}</style>
+</head>
+<body>
+<a class="skip" href="#content">Skip to the {what}</a>
+{body}</body>
+</html>
+"""
+
+
 def write(
     document: b.Document, figures: Mapping[str, str], *, slides: bool = False, player: str = ""
 ) -> str:
@@ -75,18 +95,7 @@ def write(
     scripts = ("fit.js", *["lecture.js"] * (document.lecture and not slides), *shown)
     # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
     script = f"<script>/*<![CDATA[*/{style(*scripts)}/*]]>*/</script>\n"
-    return visible(f"""<!DOCTYPE html>
-<html lang="en"{' class="lecture"' * document.lecture}>
-<head>
-<meta charset="utf-8"/>
-<meta name="viewport" content="width=device-width, initial-scale=1"/>
-<meta name="color-scheme" content="light dark"/>
-<title>{escape(unmarked(document.title))}</title>
-<style>{style(*kinds)}</style>
-</head>
-<body>
-<a class="skip" href="#content">Skip to the lecture</a>
-{_contents(document)}
+    body = f"""{_contents(document)}
 <main class="page" id="content">
 <header>
 <h1>{prose_html(document.title)}</h1>
@@ -94,9 +103,8 @@ def write(
 </header>
 {body}{end}
 </main>
-{player}{script}</body>
-</html>
-""")
+{player}{script}"""
+    return visible(page(unmarked(document.title), kinds, body, "lecture" * document.lecture))
 
 
 def _end(document: b.Document) -> int | None:

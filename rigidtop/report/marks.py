@@ -25,6 +25,7 @@ LEGEND: Mapping[Verdict, str] = {
     ),
     Verdict.CONVENTION: "right in content, at odds with the notes’ own definitions",
     Verdict.FALSE: "it does not hold as the notes have it; the right form stands beneath",
+    Verdict.DEFINITION: "it introduces a name, and there is nothing to prove",
     Verdict.UNDECIDED: "neither shown nor refuted",
 }
 

@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.lecture import Lecture
-from rigidtop.proof.page import Assumption
 from rigidtop.proof.verdict import (
     Judgement,
     Verdict,
 )
 from rigidtop.report import blocks as b
-from rigidtop.report.claims import condition, in_words, tested
 from rigidtop.report.handout import Parts, answer, parted, question, section
+from rigidtop.report.marks import LEGEND, marked
 from rigidtop.report.solutions import Solution, confirmed
 from rigidtop.report.symbols import symbol_list
 from rigidtop.report.ways import law_blocks
-from rigidtop.typeset.layout import layout
 
 NO_LINES = Lecture()
 
@@ -64,47 +63,28 @@ def _front(judged: b.Judged) -> Iterable[b.Block]:
     everything = [judgement for _, judgements in judged for judgement in judgements]
     yield b.Heading(1, "", "How to read the verdicts", "verdicts")
     yield b.Paragraph((READING,))
-    counts = [(v, sum(j.verdict is v for j in everything)) for v in Verdict]
+    counts = Counter(judgement.verdict for judgement in everything)
     rows: list[tuple[b.Rich, ...]] = [
-        ((v,), (str(count),), (b.MEANINGS[v],)) for v, count in counts if count
+        ((v,), (str(counts[v]),), (words,)) for v, words in LEGEND.items() if counts[v]
     ]
     rows.append((("all",), (str(len(everything)),), ()))
     yield b.Table(("verdict", "claims", "what it says"), tuple(rows), "", "text", (0, 0, 0.68))
     yield b.Paragraph(("The claims that only exercises make are ours, and are not counted here.",))
-    found = tuple(_found(judgement) for judgement in everything if judgement.verdict in _NOTED)
-    if found:
+    amiss = tuple(_amiss(judgement) for judgement in everything if judgement.verdict in _NOTED)
+    if amiss:
         yield b.Heading(1, "", "What was found in the notes", "found")
         head = ("section", "claim", "verdict", "what is amiss")
-        yield b.Table(head, found, "", "text", (0, 0.17, 0, 0.5))
+        yield b.Table(head, amiss, "", "text", (0, 0.17, 0, 0.5))
 
 
 _NOTED = (Verdict.ASSUMING, Verdict.CONVENTION, Verdict.FALSE, Verdict.UNDECIDED)
 
 
-def _found(judgement: Judgement) -> tuple[b.Rich, ...]:
-    claim = judgement.claim
-    content: b.Rich
-    if judgement.verdict is Verdict.ASSUMING:
-        silent = [t.assumption for t in tested(judgement) if not t.assumption.stated]
-        content = ("Not stated: ", *b.listed(map(_named, silent), "; "), ".")
-    else:
-        printed = {f.check.claimed.sides for f in judgement.findings() if f.check.printed}
-        amended = [c.check for c in judgement.corrections()]
-        corrected = [check.claimed for check in amended if check.claimed.sides not in printed]
-        reasons = [] if corrected else [check.reason for check in amended]
-        content = (" ".join([claim.says, *filter(None, reasons)]),)
-        short = [each for each in (layout(c, "printed") for c in corrected) if in_words(each)]
-        for i, node in enumerate(short):
-            content = (*content, "; " if i else " Corrected: ", node)
-        if len(short) < len(corrected):
-            content = (*content, "; more at the claim" if short else " Corrected at the claim")
-        if corrected:
-            content = (*content, ".")
-    name = b.Cited(claim.name, b.anchor(claim.name))
+def _amiss(judgement: Judgement) -> tuple[b.Rich, ...]:
+    """A row of the list: what the margin of the lecture says of a claim, or what stands behind."""
+    mark, *behind = marked(judgement)
+    said = behind[0] if behind else mark
+    content = said.note if isinstance(said, b.Mark) else getattr(said, "content", ())
+    content = content or (judgement.claim.says,)
+    name = b.Cited(judgement.claim.name, b.anchor(judgement.claim.name))
     return (judgement.section,), (name,), (judgement.verdict,), content
-
-
-def _named(assumption: Assumption) -> b.Rich:
-    """A condition, and what it says in words."""
-    words = assumption.words.rstrip(".")
-    return (condition(assumption), *([f" ({words})"] if words else []))
