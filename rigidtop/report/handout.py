@@ -1,6 +1,7 @@
 """The lecture as it is handed out: its text, its figures, its exercises, and their solutions.
 
-`rigidtop.report.record` makes the record of every verdict; here a verdict is a mark in the margin.
+A verdict is a mark in the margin; in the record, `rigidtop.report.record`, all that was found
+stands in its place.
 """
 
 from __future__ import annotations

@@ -13,12 +13,11 @@ from importlib.resources import files
 from rigidtop.proof.verdict import Verdict
 from rigidtop.proof.words import unbold, unmarked
 from rigidtop.report import blocks as b
-from rigidtop.report.markdown import aligned
 from rigidtop.report.transcript import transcript
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import mathml, sizes
 from rigidtop.typeset import nodes as lay
-from rigidtop.typeset.latex import align_row, latex
+from rigidtop.typeset.latex import aligned, aligned_lines, latex
 from rigidtop.typeset.sentences import tex, tied, written
 
 NARROW = 36.0
@@ -275,8 +274,7 @@ def _row(group: Sequence[b.Row], step: bool = False) -> str:
     kind = "row result" if last.tag or mark is not None else "row step"
     source = latex(equations[0], last.order)
     if equations[1:]:
-        lines = [sizes.lines(each, last.order, math.inf) for each in equations]
-        source = aligned([align_row(line) for each in lines for line in each])
+        source = aligned(aligned_lines(equations, last.order, math.inf))
     name = f' id="{place}"' if place else ""
     known = f' data-line="{speaker.line}" data-cites="{" ".join(speaker.cites)}"'
     return (

@@ -1,4 +1,4 @@
-"""The record of every verdict as a document."""
+"""The record of every verdict: the text of the lecture with all that was found at each claim."""
 
 from __future__ import annotations
 

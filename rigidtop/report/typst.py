@@ -25,8 +25,7 @@ from rigidtop.report.tex_lines import (
 )
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import nodes as lay
-from rigidtop.typeset import sizes
-from rigidtop.typeset.latex import AlignRow, align_row, latex, row_lines, seen
+from rigidtop.typeset.latex import AlignRow, aligned_lines, latex, row_lines, seen
 from rigidtop.typeset.sentences import tex, tied, written
 
 
@@ -343,7 +342,7 @@ def _(block: b.Results) -> str:
     rows = [
         (
             f'#link(label("{b.anchor(number)}"))[{plain(f"({number})")}]',
-            "".join(f'#eq("", "", $ {maths(_in_lines(each))} $)' for each in equations),
+            "".join(f'#eq("", "", $ {_in_lines(each)} $)' for each in equations),
             rich(words),
         )
         for number, equations, words, _ in block.rows
@@ -356,4 +355,4 @@ ROOM = 48.0
 
 
 def _in_lines(equation: Equation) -> str:
-    return r" \\ ".join(map(align_row, sizes.lines(equation, "printed", ROOM)))
+    return maths(r" \\ ".join(aligned_lines([equation], "printed", ROOM)))
