@@ -12,10 +12,9 @@ from dataclasses import dataclass
 from html import escape
 
 from rigidtop.proof.verdict import Verdict
-from rigidtop.report.html import badge, style
+from rigidtop.report.html import badge, page, prose_html
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import mathml
-from rigidtop.typeset.sentences import prose_html
 
 
 @dataclass(frozen=True)
@@ -49,35 +48,6 @@ class Mark:
     formulas: tuple[Formula, ...]
 
 
-_OWN_STYLE = """
-.audited { display: grid; grid-template-columns: minmax(0, 1fr) auto; column-gap: 1rem;
-  align-items: center; margin: 1rem 0; padding: 0.35rem 0 0.35rem 0.9rem;
-  border-left: 3px solid var(--rule); font-size: 1.0625rem; font-weight: 400; }
-.audited.amiss { border-left: 6px double var(--false); padding-left: 0.7rem; }
-.audited .eq { display: block; padding-left: 0; }
-.audited .side { display: flex; flex-direction: column; align-items: flex-end; gap: 0.3rem; }
-.audited .why { display: block; overflow-wrap: anywhere; }
-.audited:target { background: color-mix(in srgb, var(--link) 10%, transparent); }
-.shown { display: block; overflow-x: auto; overflow-y: hidden; padding: 0.3rem 0 0.4rem 1.6rem; }
-code { font: 0.86em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace;
-  overflow-wrap: anywhere; white-space: pre-wrap; }
-.notes p, .notes li { overflow-wrap: break-word; }
-.notes h2, .notes h3, .notes h4 { margin-top: 2.2rem; }
-.findings { list-style: none; padding: 0; margin: 0.8rem 0 0; font-size: 0.95rem; }
-.findings li { margin: 0; padding: 0.45rem 0; border-top: 1px solid var(--rule);
-  overflow-wrap: anywhere; }
-.findings a { margin-right: 0.5em; }
-.summary { border-bottom: 1px solid var(--rule); padding-bottom: 1.2rem; margin-bottom: 2rem; }
-@media (max-width: 40rem) {
-  .audited { grid-template-columns: minmax(0, 1fr); }
-  .audited .side { flex-direction: row; justify-content: space-between; align-items: center; }
-  .shown { padding-left: 0.4rem; }
-}
-@media (min-width: 78rem) { body { display: block; } .page { margin: 0 auto; } }
-@media print { .audited { break-inside: avoid; } }
-"""
-
-
 def write(
     title: str,
     source: str,
@@ -93,41 +63,31 @@ def write(
     """
     inside = {**{f.start: (f.end, _inline(f)) for f in formulas}}
     framed = {mark.start: (mark.end, _framed(mark, n)) for n, mark in enumerate(marks)}
-    body = _text(source, inside, framed)
-    found = "\n".join(
+    text = _text(source, inside, framed)
+    items = [
         f'<li><a href="#{_anchor(mark, n)}">{_name(mark)}</a>'
         f"{_badge(mark.verdict)} {f'line {mark.line}: ' * bool(mark.number)}{_said(mark.note)}</li>"
         for n, mark in enumerate(marks)
         if not mark.passed or mark.verdict in (Verdict.CONVENTION, Verdict.FALSE)
-    )
-    found += "".join(f"\n<li>{escape(_clean(other))}</li>" for other in others)
-    listed = f'\n<ul class="findings">\n{found}\n</ul>' if found else ""
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8"/>
-<meta name="viewport" content="width=device-width, initial-scale=1"/>
-<meta name="color-scheme" content="light dark"/>
-<title>{escape(_clean(title))}, audited</title>
-<style>{style("page.css", "print.css")}{_OWN_STYLE}</style>
-</head>
-<body>
-<a class="skip" href="#content">Skip to the notes</a>
-<main class="page">
+    ]
+    items += [f"<li>{escape(_clean(other))}</li>" for other in others]
+    findings = "\n".join(items)
+    listed = f'\n<ul class="findings">\n{findings}\n</ul>' if items else ""
+    whole = f"""<main class="page">
 <header class="summary">
 <h1>{escape(_clean(title))}, audited</h1>
 <p>{escape(_clean(summary))}</p>{listed}
 </header>
 <div class="notes" id="content">
-{body}
+{text}
 </div>
 <footer class="colophon"><p>Each numbered equation with the verdict of the collection of
 derivations; of other formulas what is wrong is marked, and the rest is
 counted. All are set sign by sign, as they are written.</p></footer>
 </main>
-</body>
-</html>
 """
+    styles = ("page.css", "print.css", "annotated.css")
+    return page(f"{_clean(title)}, audited", styles, whole, what="notes")
 
 
 # --- Equations -----------------------------------------------------------------------------------

@@ -52,15 +52,6 @@ NOTES = Front(
 """The lecture notes on the top."""
 
 
-MEANINGS: Mapping[Verdict, str] = {
-    Verdict.PROVED: "the residual vanishes identically",
-    Verdict.SAMPLED: "the residual vanishes to 40 digits at random points; not shown in symbols",
-    Verdict.ASSUMING: "true only under conditions that the notes do not state beside the claim",
-    Verdict.CONVENTION: "right in content, at odds with the notes' own definitions",
-    Verdict.FALSE: "refuted by numbers",
-    Verdict.DEFINITION: "introduces a name; there is nothing to prove",
-    Verdict.UNDECIDED: "neither shown nor refuted",
-}
 MARKS: Mapping[Verdict, str] = {
     Verdict.PROVED: "✓",
     Verdict.SAMPLED: "≈",
@@ -107,6 +98,45 @@ class Unit:
 Piece = str | Node | Cited | Unit | Verdict
 Rich = tuple[Piece, ...]
 """Running text: prose, with formulas as layout nodes, units, citations, verdicts between."""
+
+
+@dataclass(frozen=True)
+class Script:
+    """How the pieces of running text are written in a language; called, it writes them."""
+
+    words: Callable[[str], str]
+    formula: Callable[[Node], str]
+    unit: Callable[[str], str]
+    cited: Callable[[Cited], str]
+    verdict: Callable[[Verdict], str] = str
+
+    def __call__(self, content: Rich) -> str:
+        """Running text with its formulas."""
+        return "".join(map(self._piece, content))
+
+    def _piece(self, piece: Piece) -> str:
+        match piece:
+            case Unit():
+                return self.unit(piece.spaced)
+            case Verdict():
+                return self.verdict(piece)
+            case Cited():
+                return self.cited(piece)
+            case str():
+                return self.words(piece)
+        return self.formula(piece)
+
+
+def listed(items: Iterable[Rich], between: str = ", ", last: str = "") -> Rich:
+    """Running text of several items, `between` two of them; the `last` has a word of its own.
+
+    >>> listed((("a",), ("b", "c"), ("d",)), last=" and ")
+    ('a', ', ', 'b', 'c', ' and ', 'd')
+    """
+    first, *others = (*items, ())
+    joints = [between] * (len(others) - 2) + [last or between]
+    joined = ((joint, *item) for joint, item in zip(joints, others[:-1], strict=False))
+    return tuple(piece for part in (first, *joined) for piece in part)
 
 
 # --- Blocks --------------------------------------------------------------------------------------

@@ -59,8 +59,8 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[b.Block]:
         ("Besides", judgement.remarks()),
     ):
         if more:
-            made = tuple(replace(_notes_row(item, False), tag="") for item in more)
-            blocks.append(b.Display(made, label))
+            more_rows = tuple(replace(_notes_row(item, False), tag="") for item in more)
+            blocks.append(b.Display(more_rows, label))
             under = conditions([t for item in more for t in item.assumptions])
             blocks += [b.Items(under, "Assumptions")] if under else []
     measures = tuple(item for item in judgement.items if isinstance(item, Measure))
@@ -225,13 +225,13 @@ def _condition(items: Sequence[TestedAssumption], several: bool) -> b.Rich:
     words = f", {first.words.rstrip('.')}" if first.words.rstrip(".") else ""
     stated = "stated" if first.stated else "not stated"
     dropped = "it" if len(relations) == 1 else "the first"
-    shown = relations[0] if len(relations) == 1 else lay.Listed(relations)
+    relation = relations[0] if len(relations) == 1 else lay.Listed(relations)
     if items[0].without is None:  # its lines say it
-        return (shown, f"{words}.")
+        return (relation, f"{words}.")
     failing = _fails(items[0].claimed) if several else ()
     behind = " " if failing else ", "
-    said = said_at(items[0].without)
-    return (shown, f"{words} ({stated}). Without {dropped}{behind}", *failing, *said, ".")
+    numbers = said_at(items[0].without)
+    return (relation, f"{words} ({stated}). Without {dropped}{behind}", *failing, *numbers, ".")
 
 
 def _failing(finding: Finding) -> b.Rich:
@@ -261,20 +261,16 @@ def _has_grid(node: Node) -> bool:
     return isinstance(node, lay.Grid) or any(_has_grid(part) for part in lay.parts(node))
 
 
-def refuted(found: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:
+def refuted(counterexample: Counterexample) -> tuple[b.Rich, b.Piece, b.Piece]:
     """Where two sides differ, "at a = 1, b = 2", in the order of the vocabulary; and the two."""
-    ordered = sorted(found.values.items(), key=lambda kv: (known(kv[0])[0], str(kv[0])))
-    at: list[b.Piece] = []
-    for symbol, value in ordered:
-        at += [
-            ", " if at else "at ",
-            lay.Chain((layout(symbol), short_number(value)), ("=",)),
-        ]
-    pair = found.left, found.right
+    ordered = sorted(counterexample.values.items(), key=lambda kv: (known(kv[0])[0], str(kv[0])))
+    numbers = ((lay.Chain((layout(x), short_number(value)), ("=",)),) for x, value in ordered)
+    at = ("at ", *b.listed(numbers)) if ordered else ()
+    pair = counterexample.left, counterexample.right
     left, right = map(_real_number, pair)
     if left == right and pair[0] != pair[1]:
         left, right = (_real_number(side, 12) for side in pair)
-    return tuple(at), left or "undefined", right or "undefined"
+    return at, left or "undefined", right or "undefined"
 
 
 def sides(left: b.Piece, right: b.Piece, place: b.Rich = ()) -> b.Rich:
@@ -284,14 +280,14 @@ def sides(left: b.Piece, right: b.Piece, place: b.Rich = ()) -> b.Rich:
     return (*place, " " * bool(place), "the left side is ", left, ", the right side ", right)
 
 
-def place(found: Counterexample) -> b.Rich:
+def place(counterexample: Counterexample) -> b.Rich:
     """Which entry of a vector or of a matrix differs.
 
     >>> one = sympy.Integer(1)
     >>> ["".join(place(Counterexample({}, one, -one, entry))) for entry in ((), (2,), (1, 3))]
     ['', 'in component 2', 'in row 1, column 3']
     """
-    match found.entry:
+    match counterexample.entry:
         case (row, column):
             return (f"in row {row}, column {column}",)
         case (component,):
@@ -299,11 +295,11 @@ def place(found: Counterexample) -> b.Rich:
     return ()
 
 
-def said_at(found: Counterexample) -> b.Rich:
+def said_at(counterexample: Counterexample) -> b.Rich:
     """A counterexample in words."""
-    at, left, right = refuted(found)
-    said = sides(left, right, place(found))
-    return (*at, ": ", *said) if at else said
+    at, left, right = refuted(counterexample)
+    words = sides(left, right, place(counterexample))
+    return (*at, ": ", *words) if at else words
 
 
 def _real_number(side: Expr, digits: int = 4) -> Node | None:

@@ -1,6 +1,7 @@
 """The lecture as it is handed out: its text, its figures, its exercises, and their solutions.
 
-`rigidtop.report.record` makes the record of every verdict; here a verdict is a mark in the margin.
+A verdict is a mark in the margin; in the record, `rigidtop.report.record`, all that was found
+stands in its place.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from rigidtop.proof.page import Claim, Page
 from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
-from rigidtop.report.claims import derivation, tagged_rows
+from rigidtop.report.claims import claim_blocks, derivation, tagged_rows
 from rigidtop.report.marks import SAID, marked
 from rigidtop.report.numbers import apart, cells, cleaned, given, in_degrees
 from rigidtop.report.solutions import Solution, posed
@@ -37,6 +38,16 @@ class Parts:
     closing: Mapping[str, str]
     """To which section a figure belongs, by its name."""
     points: str = ""
+    recorded: bool = False
+    """Whether all that was found stands with a claim, and not its mark alone."""
+
+    def beside(self, judgement: Judgement, lines: Sequence[Equation]) -> Sequence[b.Mark | b.Block]:
+        """What stands beside and behind the `lines` of a claim."""
+        return claim_blocks(judgement) if self.recorded else marked(judgement, lines)
+
+    def alone(self, judgement: Judgement) -> list[b.Block]:
+        """A claim that has no lines."""
+        return claim_blocks(judgement) if self.recorded else stated(judgement)
 
     def equations(self, text: Text) -> list[Equation]:
         """The equations of all lines of a text, in the notation."""
@@ -45,33 +56,47 @@ class Parts:
 
 def sections(judged: b.Judged, exercises: Sequence[Solution], parts: Parts) -> list[b.Block]:
     """The lecture section by section: text with figures, then exercises."""
-    named = {text.name: text for text in parts.lines.texts}
-    made: list[b.Block] = []
+    blocks: list[b.Block] = []
     numbered = {id(each): k for k, each in enumerate(exercises, 1)}
     for page, judgements in judged:
-        made += b.headings(page)
-        text = named.get(page.text)
-        if text is None:
-            made.append(b.Paragraph((page.about,), held=True))
-        else:
-            lines = parts.equations(text)
-            marks = {j.claim.name: marked(j, lines) for j in judgements}
-            made += text_blocks(parts.lines, text, parts.notation, marks, parts.figures)
-        for judgement in judgements:
-            if text is None or judgement.claim.name not in parts.lines.names:
-                made += stated(judgement)
-        shown_ = {block.name for block in made if isinstance(block, b.Figure)}
-        made += [
+        blocks += section(page, judgements, parts)
+        placed = {block.name for block in blocks if isinstance(block, b.Figure)}
+        blocks += [
             each
             for name, each in parts.figures.items()
-            if parts.closing.get(name) == page.section and name not in shown_
+            if parts.closing.get(name) == page.section and name not in placed
         ]
         asked = [each for each in exercises if each.exercise.section == page.section]
         if len(asked) > 1:  # one says by itself what it is
-            made.append(b.Subhead("Exercises"))
+            blocks.append(b.Subhead("Exercises"))
         for each in asked:
-            made += question(each.exercise, each.settings, numbered[id(each)], parts.points)
-    return made
+            blocks += question(each.exercise, each.settings, numbered[id(each)], parts.points)
+    return blocks
+
+
+def section(page: Page, judgements: Sequence[Judgement], parts: Parts) -> list[b.Block]:
+    """The text of a page under its headings, each of its claims at its lines."""
+    blocks: list[b.Block] = [*b.headings(page)]
+    text = next((each for each in parts.lines.texts if each.name == page.text), None)
+    if text is None:
+        blocks.append(b.Paragraph((page.about,), held=True))
+        return [*blocks, *(block for each in judgements for block in parts.alone(each))]
+    return [*blocks, *_read(parts.lines, text, judgements, parts, parts.lines.names)]
+
+
+def _read(
+    lines: Lecture,
+    text: Text,
+    judgements: Sequence[Judgement],
+    parts: Parts,
+    placed: Collection[str],
+) -> list[b.Block]:
+    """A text with each claim at its lines, behind it those that are not `placed` there."""
+    equations = parts.equations(text)
+    beside = {each.claim.name: parts.beside(each, equations) for each in judgements}
+    blocks = text_blocks(lines, text, parts.notation, beside, parts.figures)
+    others = (each for each in judgements if each.claim.name not in placed)
+    return [*blocks, *(block for each in others for block in parts.alone(each))]
 
 
 def order_of_figures(
@@ -82,23 +107,23 @@ def order_of_figures(
     `closing` says to which section a figure belongs.
     """
     named = {text.name: text for text in lines.texts}
-    made: list[str] = []
+    names: list[str] = []
     for page in pages:
         text = named.get(page.text)
-        made += [] if text is None else [n for n in spoken_of(text) if n in closing]
-        made += [name for name, section in closing.items() if section == page.section]
-    return list(dict.fromkeys(made))
+        names += [] if text is None else [n for n in spoken_of(text) if n in closing]
+        names += [name for name, section in closing.items() if section == page.section]
+    return list(dict.fromkeys(names))
 
 
 def spoken_of(text: Text) -> list[str]:
     """The names of the figures that a text speaks of."""
-    made: list[str] = []
+    names: list[str] = []
     for block in text.blocks:
         if isinstance(block, Prose):
-            made += cited_figures(block.pieces)
+            names += cited_figures(block.pieces)
         elif getattr(block, "line", None) is not None:
-            made += cited_figures(block.line.words)  # type: ignore[union-attr]
-    return made
+            names += cited_figures(block.line.words)  # type: ignore[union-attr]
+    return names
 
 
 def stated(judgement: Judgement) -> list[b.Block]:
@@ -108,12 +133,12 @@ def stated(judgement: Judgement) -> list[b.Block]:
     claim = judgement.claim
     words = " ".join(filter(None, [claim.says.rstrip(".") + ".", claim.reason]))
     rows = tagged_rows(judgement)
-    made: list[b.Block] = [b.Paragraph((words,), held=bool(rows), mark=mark)]
+    blocks: list[b.Block] = [b.Paragraph((words,), held=bool(rows), mark=mark)]
     if rows:
-        made.append(b.Display(rows))
+        blocks.append(b.Display(rows))
     for block in derivation(judgement, False):
-        made.append(replace(block, label="") if isinstance(block, b.Display) else block)
-    return [*made, *(block for block in behind if not isinstance(block, b.Mark))]
+        blocks.append(replace(block, label="") if isinstance(block, b.Display) else block)
+    return [*blocks, *(block for block in behind if not isinstance(block, b.Mark))]
 
 
 # --- Exercises -----------------------------------------------------------------------------------
@@ -123,16 +148,14 @@ def question(
     exercise: Exercise, values: Mapping[str, float], number: int, points: str = ""
 ) -> list[b.Block]:
     """An exercise as it is asked, its numbers as people write them."""
-    made = posed(exercise, number, points)
-    settings: list[Any] = []
+    settings: list[b.Rich] = []
     for parameter in exercise.parameters:
         value = given(values[parameter.name], parameter.unit)
         # A line does not begin with a few digits.
         space = "\u00a0" if len(plain.rich(value)) < SHORT else " "
-        settings += ["; " if settings else "", parameter.about, f":{space}", *value]
-    if settings:
-        made.append(b.Paragraph((*(piece for piece in settings if piece), "."), "Given"))
-    return made
+        settings.append((parameter.about, f":{space}", *value))
+    told = [b.Paragraph((*b.listed(settings, "; "), "."), "Given")] if settings else []
+    return [*posed(exercise, number, points), *told]
 
 
 SHORT = 12
@@ -162,51 +185,45 @@ def solutions(
     told: Mapping[str, b.Rich],
 ) -> list[b.Block]:
     """The appendix.  `told` says where a claim of the lecture was derived."""
-    made: list[b.Block] = [b.Heading(1, "", "Solutions of the exercises", "solutions")]
+    blocks: list[b.Block] = [b.Heading(1, "", "Solutions of the exercises", "solutions")]
     known = dict(told)
     for number, each in enumerate(exercises, 1):
         place = f"{b.anchor(each.exercise.name)}-solution"
-        made.append(b.ExerciseHead(each.exercise.title, place, "", number, kind="Solution"))
-        made += answer(each, parts, known)
+        blocks.append(b.ExerciseHead(each.exercise.title, place, "", number, kind="Solution"))
+        blocks += answer(each, parts, known)
         there = "Solution", "\u00a0", b.Cited(f"{number}", place)
         known = {j.claim.name: there for j in each.judgements} | known
-    return made
+    return blocks
 
 
 def answer(solution: Solution, parts: Parts, told: Mapping[str, b.Rich]) -> list[b.Block]:
     """What an exercise comes to, in symbols and in numbers."""
     exercise = solution.exercise
-    made: list[b.Block] = []
+    blocks: list[b.Block] = []
     had = [j for j in solution.judgements if j.claim.name in told]
     there = [j.claim for j in had if j.verdict is not Verdict.FALSE]
     if there:
-        names: list[Any] = []
-        for k, claim in enumerate(there):
-            between = "" if k == 0 else " and " if k == len(there) - 1 else ", "
-            names += [between, *_called(claim, told[claim.name])]
-        made.append(b.Paragraph(("We have shown: ", *(n for n in names if n), ".")))
+        names = (_called(claim, told[claim.name]) for claim in there)
+        blocks.append(b.Paragraph(("We have shown: ", *b.listed(names, last=" and "), ".")))
     text, lines = solution.text, solution.lines
     new = [j for j in solution.judgements if j.claim.name not in told]
-    here = {line.id for line in text.lines} if text is not None else set()
-    said = {name for name, ids in lines.names.items() if here & set(ids)}
-    if text is not None:
-        shown_ = parts.equations(text)
-        marks = {j.claim.name: marked(j, shown_) for j in new}
-        made += text_blocks(lines, text, parts.notation, marks, parts.figures)
-    for judgement in new:
-        if judgement.claim.name not in said:
-            made += stated(judgement)
-    made += results(solution)
+    if text is None:
+        blocks += [block for each in new for block in parts.alone(each)]
+    else:
+        here = {line.id for line in text.lines}
+        placed = {name for name, ids in lines.names.items() if here & set(ids)}
+        blocks += _read(lines, text, new, parts, placed)
+    blocks += results(solution)
     own = f"exercise-{exercise.name}"
     if own in parts.figures:
-        made.append(parts.figures[own])
-    return made
+        blocks.append(parts.figures[own])
+    return blocks
 
 
 def laws(lines: Lecture, shown: Collection[str], notation: Notation) -> list[b.Block]:
     """What the derivations of the `shown` pages start from."""
-    made = law_blocks(lines, shown, notation)
-    return [b.Heading(1, "", "Laws and definitions", "laws"), *made] if made else []
+    cited = law_blocks(lines, shown, notation)
+    return [b.Heading(1, "", "Laws and definitions", "laws"), *cited] if cited else []
 
 
 def _called(claim: Claim, place: b.Rich) -> b.Rich:
@@ -219,17 +236,17 @@ def _called(claim: Claim, place: b.Rich) -> b.Rich:
 
 def results(solution: Solution) -> list[b.Block]:
     """The numbers of a solution."""
-    made: list[b.Block] = [b.Paragraph((solution.exercise.method,))]
+    blocks: list[b.Block] = [b.Paragraph((solution.exercise.method,))]
     answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
     if answers:
         rows = tuple((a.what, *apart(a.value, a.unit)) for a in answers)
-        made.append(b.quantities("", rows))
+        blocks.append(b.quantities("", rows))
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
             columns = tuple(map(in_degrees, outcome.columns, zip(*outcome.rows, strict=True)))
-            found = cells(list(zip(*(cleaned(column) for _, column in columns), strict=True)))
-            made.append(b.Table(tuple(head for head, _ in columns), found, outcome.title))
-    return made
+            numbers = cells(list(zip(*(cleaned(column) for _, column in columns), strict=True)))
+            blocks.append(b.Table(tuple(head for head, _ in columns), numbers, outcome.title))
+    return blocks
 
 
 # --- Front and back ------------------------------------------------------------------------------
@@ -250,14 +267,16 @@ def summary(judged: b.Judged, parts: Parts) -> list[b.Block]:
             if b.is_number(name):
                 printed = tagged_rows(judgement)
                 corrected = [f.check.claimed for f in judgement.corrections()]
-                shown_ = numbered(parts, name) or corrected[:1] or [row.equation for row in printed]
+                equations = (
+                    numbered(parts, name) or corrected[:1] or [row.equation for row in printed]
+                )
                 amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
                 words: b.Rich = (judgement.claim.says,)
                 if amiss:
                     right = (f.check.reason for f in judgement.corrections())
                     said = judgement.claim.says.rstrip(".")
                     words = (SAID, " ".join((f"{said}.", *filter(None, right))))
-                rows.append((name, tuple(shown_), words, judgement.verdict))
+                rows.append((name, tuple(equations), words, judgement.verdict))
     if not rows:
         return []
     head = b.Heading(1, "", "Summary of results", "results")
@@ -271,8 +290,8 @@ CONDITIONS = "The conditions of the marks stand in the text, with these statemen
 def numbered(parts: Parts, number: str) -> list[Any]:
     """The equations of the line that has a number."""
     lines = (parts.lines.lines[id] for id in parts.lines.names.get(number, ()))
-    found = (x.equations for x in lines if any(each.tag == number for each in x.equations))
-    return [parts.notation.written(each) for each in chained(next(found, ()))]
+    equations = (x.equations for x in lines if any(each.tag == number for each in x.equations))
+    return [parts.notation.written(each) for each in chained(next(equations, ()))]
 
 
 def looked_up(blocks: Sequence[b.Block], parts: Parts) -> list[b.Block]:
@@ -283,10 +302,10 @@ def looked_up(blocks: Sequence[b.Block], parts: Parts) -> list[b.Block]:
         for row in block.rows if isinstance(block, b.Display) else ():
             pieces += row.spoken
     words = (x.words if isinstance(x, b.Cited) else x for x in pieces)
-    found = {n[1:-1] for x in words if isinstance(x, str) for n in NUMBER.findall(x)}
+    numbers = {n[1:-1] for x in words if isinstance(x, str) for n in NUMBER.findall(x)}
     rows = tuple(
         b.Row(equation, "printed", equation.tag)
-        for number in sorted(found - tags(blocks))
+        for number in sorted(numbers - tags(blocks))
         for equation in numbered(parts, number)
     )
     return [b.Heading(1, "", "Equations cited", "cited"), b.Display(rows)] if rows else []
@@ -345,7 +364,7 @@ COLUMN = 51.0
 
 def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
     """Displays apart that have a sentence each, the lines of each with their anchors."""
-    made: list[b.Block] = []
+    parts: list[b.Block] = []
     seen = {block.name for block in blocks if isinstance(block, b.ClaimHead)}
     noted: dict[b.Rich, b.Mark] = {}
     level, asked, nameless, room = 0, 0, 0, ROOM
@@ -354,18 +373,18 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
             level, asked = block.level, 0
             noted.clear()
             room = COLUMN if block.anchor in b.IN_COLUMNS else ROOM
-            made.append(block)
+            parts.append(block)
         elif isinstance(block, b.Subhead):
-            made.append(replace(block, level=(asked or level) + 1))
+            parts.append(replace(block, level=(asked or level) + 1))
         elif isinstance(block, b.ExerciseHead | b.ClaimHead):
             # Beneath “Exercises”, where there are several.
-            asked = asked or level + 1 + bool(made and isinstance(made[-1], b.Subhead))
-            made.append(replace(block, level=asked))
+            asked = asked or level + 1 + bool(parts and isinstance(parts[-1], b.Subhead))
+            parts.append(replace(block, level=asked))
         elif isinstance(block, b.Paragraph) and block.mark is not None:
             name = block.mark.name
             place = b.anchor(name) if name not in seen and not b.is_number(name) else ""
             seen.add(name if place else "")
-            made.append(replace(block, anchor=place))
+            parts.append(replace(block, anchor=place))
         elif isinstance(block, b.Display) and block.label in ("", "Derivation"):
             groups: list[list[b.Row]] = []
             for row in block.rows:
@@ -380,10 +399,10 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
                     nameless += 1
                     rows[-1] = replace(rows[-1], anchor=f"equation-{nameless}")
             label = (block.label, *[""] * len(groups))
-            made += [
+            parts += [
                 replace(block, rows=tuple(rows), label=words, room=room, step=True)
                 for rows, words in zip(groups, label, strict=False)
             ]
         else:
-            made.append(block)
-    return made
+            parts.append(block)
+    return parts

@@ -6,22 +6,39 @@ import math
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import singledispatch
+from functools import cache, singledispatch
 from html import escape
 from importlib.resources import files
 
 from rigidtop.proof.verdict import Verdict
-from rigidtop.proof.words import unmarked
+from rigidtop.proof.words import unbold, unmarked
 from rigidtop.report import blocks as b
-from rigidtop.report.markdown import aligned
+from rigidtop.report.transcript import transcript
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import mathml, sizes
 from rigidtop.typeset import nodes as lay
-from rigidtop.typeset.latex import align_row, latex
-from rigidtop.typeset.sentences import prose_html
+from rigidtop.typeset.latex import aligned, aligned_lines, latex
+from rigidtop.typeset.sentences import tex, tied, written
 
 NARROW = 36.0
 """How many letters wide a line is on a small screen."""
+
+
+def prose_html(text: str) -> str:
+    """A sentence as HTML, its formulas as MathML.
+
+    >>> prose_html("a & b's")
+    'a &amp; b’s'
+    """
+    return written(tied(text), _formula, lambda part: escape(part.replace("'", "’"), quote=False))
+
+
+@cache
+def _formula(part: str) -> str:
+    """A formula of a sentence, which says itself in Unicode."""
+    words = unbold(part)
+    plain = f"<mtext>{escape(words)}</mtext>"
+    return transcript(tex(part), {}, alt=words) or mathml.element(plain, words, False)
 
 
 def style(*names: str) -> str:
@@ -33,6 +50,26 @@ def style(*names: str) -> str:
     )
     made = "".join(folder.joinpath(name).read_text("utf-8") for name in names)
     return made.replace("@COLORS@", colors)
+
+
+def page(
+    title: str, styles: Sequence[str], body: str, kind: str = "", what: str = "lecture"
+) -> str:
+    """A whole page that brings its styles along; a reader of `what` it has may skip its head."""
+    return f"""<!DOCTYPE html>
+<html lang="en"{f' class="{kind}"' if kind else ""}>
+<head>
+<meta charset="utf-8"/>
+<meta name="viewport" content="width=device-width, initial-scale=1"/>
+<meta name="color-scheme" content="light dark"/>
+<title>{escape(title)}</title>
+<style>{style(*styles)}</style>
+</head>
+<body>
+<a class="skip" href="#content">Skip to the {what}</a>
+{body}</body>
+</html>
+"""
 
 
 def write(
@@ -57,18 +94,7 @@ def write(
     scripts = ("fit.js", *["lecture.js"] * (document.lecture and not slides), *shown)
     # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
     script = f"<script>/*<![CDATA[*/{style(*scripts)}/*]]>*/</script>\n"
-    return visible(f"""<!DOCTYPE html>
-<html lang="en"{' class="lecture"' * document.lecture}>
-<head>
-<meta charset="utf-8"/>
-<meta name="viewport" content="width=device-width, initial-scale=1"/>
-<meta name="color-scheme" content="light dark"/>
-<title>{escape(unmarked(document.title))}</title>
-<style>{style(*kinds)}</style>
-</head>
-<body>
-<a class="skip" href="#content">Skip to the lecture</a>
-{_contents(document)}
+    body = f"""{_contents(document)}
 <main class="page" id="content">
 <header>
 <h1>{prose_html(document.title)}</h1>
@@ -76,9 +102,8 @@ def write(
 </header>
 {body}{end}
 </main>
-{player}{script}</body>
-</html>
-""")
+{player}{script}"""
+    return visible(page(unmarked(document.title), kinds, body, "lecture" * document.lecture))
 
 
 def _end(document: b.Document) -> int | None:
@@ -152,21 +177,6 @@ def _figure(block: b.Figure, figures: Mapping[str, str]) -> str:
     return f"<figure {place}>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"
 
 
-def rich(content: b.Rich) -> str:
-    """Running text with formulas."""
-    return "".join(map(_piece, content))
-
-
-def _piece(piece: b.Piece) -> str:
-    if isinstance(piece, b.Unit):
-        return escape(piece.spaced)
-    if isinstance(piece, Verdict):
-        return badge(piece)
-    if isinstance(piece, b.Cited):
-        return f'<a href="#{piece.anchor}">{escape(piece.words)}</a>'
-    return prose_html(piece) if isinstance(piece, str) else _flat(piece)
-
-
 def _flat(formula: lay.Node) -> str:
     """A formula in a sentence; its brackets do not grow where it is no higher than its line."""
     made = mathml.mathml(lay.flat(formula))
@@ -177,6 +187,15 @@ def badge(verdict: Verdict) -> str:
     """A verdict as a mark and a word, so that colour is not needed."""
     mark = f'<span aria-hidden="true">{b.MARKS[verdict]} </span>'
     return f'<span class="badge {verdict}">{mark}{verdict}</span>'
+
+
+rich = b.Script(
+    words=prose_html,
+    formula=_flat,
+    unit=escape,
+    cited=lambda place: f'<a href="#{place.anchor}">{escape(place.words)}</a>',
+    verdict=badge,
+)
 
 
 @singledispatch
@@ -255,8 +274,7 @@ def _row(group: Sequence[b.Row], step: bool = False) -> str:
     kind = "row result" if last.tag or mark is not None else "row step"
     source = latex(equations[0], last.order)
     if equations[1:]:
-        lines = [sizes.lines(each, last.order, math.inf) for each in equations]
-        source = aligned([align_row(line) for each in lines for line in each])
+        source = aligned(aligned_lines(equations, last.order, math.inf))
     name = f' id="{place}"' if place else ""
     known = f' data-line="{speaker.line}" data-cites="{" ".join(speaker.cites)}"'
     return (

@@ -32,7 +32,13 @@ from rigidtop.terminal.table import terminal_width
 
 PLAIN = b.Look()
 
-FORMATS = ("text", "latex", "html", "typst")
+FORMATS: Mapping[str, Callable[[Sequence[b.Block]], str]] = {
+    "text": lambda blocks: plain.fragment(blocks, terminal_width()),
+    "latex": tex.fragment,
+    "html": html.fragment,
+    "typst": typst.fragment,
+}
+"""How a claim is written by itself."""
 
 
 def fragment(
@@ -42,25 +48,18 @@ def fragment(
 
     A `deep` derivation starts from laws and definitions.
     """
-    made = _told(judgement, notation, deep, marks=format == "text")
-    if format == "text":
-        return plain.fragment(made, terminal_width())
-    if format == "latex":
-        return tex.fragment(made)
-    if format == "html":
-        return html.fragment(made)
-    if format == "typst":
-        return typst.fragment(made)
-    raise RigidtopError(f"unknown format {format!r}: choose from {', '.join(FORMATS)}")
+    if format not in FORMATS:
+        raise RigidtopError(f"unknown format {format!r}: choose from {', '.join(FORMATS)}")
+    return FORMATS[format](_told(judgement, notation, deep, marks=format == "text"))
 
 
 def _told(
     judgement: Judgement, notation: Notation, deep: bool = False, *, marks: bool = False
 ) -> list[b.Block]:
     """A claim with its derivation and all that was found, its head first."""
-    made = claim_told(Wording(notation).judgement(judgement), notation, deep, marks=marks)
-    made[1:1] = notations.remark(notation, symbols_used(made))
-    return made
+    told = claim_told(Wording(notation).judgement(judgement), notation, deep, marks=marks)
+    told[1:1] = notations.remark(notation, symbols_used(told))
+    return told
 
 
 @dataclass(frozen=True)
@@ -101,9 +100,9 @@ def picture(solution: Solution, notation: Notation | None = None) -> Picture | N
 
 def exercise_fragment(solution: Solution, notation: Notation = NOTES_NOTATION) -> str:
     """An exercise with its solution as text."""
-    made = blocks(solution_in(notation, solution), notation=notation)
-    made[1:1] = notations.remark(notation, symbols_used(made))
-    return plain.fragment(made)
+    told = blocks(solution_in(notation, solution), notation=notation)
+    told[1:1] = notations.remark(notation, symbols_used(told))
+    return plain.fragment(told)
 
 
 def claims_told(
@@ -117,13 +116,11 @@ def claims_told(
     known |= {j.claim.name: j for each in solutions for j in each.judgements}
 
     def named(label: str, names: Sequence[str]) -> b.Paragraph:
-        made: list[b.Piece] = []
-        for name in names:
-            words = map_label(lines, name, notation)
-            there = myst.page_of(b.anchor(name))
-            made += [", "] if made else []
-            made.append(b.Cited(words, there) if name in known else words)
-        return b.Paragraph((*made, "."), label)
+        return b.Paragraph((*b.listed((cited(name),) for name in names), "."), label)
+
+    def cited(name: str) -> b.Piece:
+        words = map_label(lines, name, notation)
+        return b.Cited(words, myst.page_of(b.anchor(name))) if name in known else words
 
     made: list[tuple[b.ClaimHead, list[b.Block]]] = []
     for name, judgement in known.items():
@@ -364,28 +361,28 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     pictures = [each for each in drawn if each is not None]
     numbered = {p.name: p.described(k) for k, p in enumerate(pictures, 1)}
     parts = Parts(edition.lines, edition.letters, numbered, {}, points)
-    made: list[b.Block] = [b.NameLine()] if student else []
+    blocks: list[b.Block] = [b.NameLine()] if student else []
     own = {each.text.name for each in solutions if each.text is not None}
     lines = edition.lines
-    shown = {line.id for text in lines.texts if text.name not in own for line in text.lines}
-    told: dict[str, b.Rich] = {name: () for name, ids in lines.names.items() if shown & {*ids}}
+    printed = {line.id for text in lines.texts if text.name not in own for line in text.lines}
+    told: dict[str, b.Rich] = {name: () for name, ids in lines.names.items() if printed & {*ids}}
     new = [j for each in solutions for j in each.judgements if j.claim.name not in told]
-    made += [marks.legend(new)] if new else []
+    blocks += [marks.legend(new)] if new else []
     for number, each in enumerate(solutions, 1):
-        made += handout.question(each.exercise, each.settings, number, points)
+        blocks += handout.question(each.exercise, each.settings, number, points)
         if not student:
-            made.append(b.Subhead("Solution"))
-            made += handout.answer(each, parts, told)
+            blocks.append(b.Subhead("Solution"))
+            blocks += handout.answer(each, parts, told)
             told = {j.claim.name: () for j in each.judgements} | told
-    made += handout.looked_up(made, parts)
-    made = handout.linked(handout.parted([*made, *symbol_list(made, LETTERS)]))
+    blocks += handout.looked_up(blocks, parts)
+    blocks = handout.linked(handout.parted([*blocks, *symbol_list(blocks, LETTERS)]))
     about = ["Questions" if student else "Questions and solutions"]
     about += [handout.total(points, len(solutions))] if points else []
     subtitle = ", ".join(about)
     front = edition.front
     if student and front.questions:
         edition = replace(edition, front=replace(front, source=front.questions))
-    return edition.handed_out(front.exercises, subtitle, made), pictures
+    return edition.handed_out(front.exercises, subtitle, blocks), pictures
 
 
 def _write(

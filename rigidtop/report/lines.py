@@ -43,19 +43,19 @@ def step(lecture: Lecture, id: str, notation: Notation = NOTES) -> dict[str, obj
 
 def conditions(known: Known, notation: Notation = NOTES) -> list[str]:
     """What an equation holds under, and the order of what is left out of it, as text."""
-    made = []
+    words = []
     for condition in known.conditions:
         if condition.relation in ("large", "small"):
-            made.append(f"{text(notation.written(condition.expression))} {condition.relation}")
+            words.append(f"{text(notation.written(condition.expression))} {condition.relation}")
             continue
         when = " at the start" if condition.relation == "start" else ""
-        made.append(text(relation(condition, notation)) + when)
+        words.append(text(relation(condition, notation)) + when)
     order = known.order
     if order is not None and order.small != NEGLECTED:
         for x in order.together or (order.small,):
-            said, error = (text(notation.written(each)) for each in (x, x**order.power))
-            made.append(f"{said} small, with an error of order O({error})")
-    return made
+            letter, error = (text(notation.written(each)) for each in (x, x**order.power))
+            words.append(f"{letter} small, with an error of order O({error})")
+    return words
 
 
 def way_record(
@@ -90,27 +90,27 @@ def line_records(lecture: Lecture, texts: Iterable[Text], notation: Notation) ->
     object too, without an `id`.
     """
     faults = [*lecture.faults()]
-    made: list[Record] = []
+    records: list[Record] = []
     for page in texts:
-        for shown in page.shown:
-            row: Record = {"file": page.file, "line": shown.at}
-            if shown.line is None:
-                more = _nothing("unread", shown.problem)
+        for display in page.shown:
+            row: Record = {"file": page.file, "line": display.at}
+            if display.line is None:
+                more = _nothing("unread", display.problem)
             else:
-                judged = lecture.judged(shown.line.id)
+                judged = lecture.judged(display.line.id)
                 more = {
-                    "id": shown.line.id,
+                    "id": display.line.id,
                     "verdict": "premise"
-                    if shown.line.move is None and judged.follows
+                    if display.line.move is None and judged.follows
                     else _verdict(judged),
                     "conditions": conditions(judged.known, notation),
                     "note": "" if judged.follows else reason(judged, lecture.letters, notation),
                     "worlds": outcome(lecture, judged).verdict,
                 }
-            made.append(row | more)
-        made += [
+            records.append(row | more)
+        records += [
             {"file": file, "line": at} | _nothing("fault", why)
             for file, at, why in faults
             if file == page.file
         ]
-    return made
+    return records

@@ -10,8 +10,7 @@ from collections.abc import Collection, Sequence
 
 from rigidtop.report import blocks as b
 from rigidtop.terminal.visible import visible
-from rigidtop.typeset import sizes
-from rigidtop.typeset.latex import align_row, latex
+from rigidtop.typeset.latex import aligned, aligned_lines, latex
 from rigidtop.typeset.sentences import tex, written
 
 LINE = 84.0
@@ -37,17 +36,12 @@ def _plain(text: str) -> str:
     return "".join(f"&#{ord(c)};" if c in "\\*_`$|<>&[]#" else c for c in text)
 
 
-def running(content: b.Rich) -> str:
-    """Running text with formulas."""
-    return "".join(map(_piece, content))
-
-
-def _piece(piece: b.Piece) -> str:
-    if isinstance(piece, b.Unit):
-        return _plain(piece.spaced)
-    if isinstance(piece, b.Cited):
-        return f"[{_plain(piece.words)}](#{piece.anchor})"
-    return words(piece) if isinstance(piece, str) else f"${latex(piece)}$"
+running = b.Script(
+    words=words,
+    formula=lambda node: f"${latex(node)}$",
+    unit=_plain,
+    cited=lambda place: f"[{_plain(place.words)}](#{place.anchor})",
+)
 
 
 def _label(label: str) -> str:
@@ -80,17 +74,10 @@ def _block(block: b.Block) -> str:
 
 
 def _row(row: b.Row) -> str:
-    lines = [align_row(line) for line in sizes.lines(row.equation, row.order, LINE)]
+    lines = aligned_lines([row.equation], row.order, LINE)
     lines[-1] += rf" && \text{{({row.tag})}}" if row.tag else ""
     lines[-1] += rf" && \text{{{row.verdict}}}" if row.verdict is not None else ""
     return "\n\n".join(filter(None, [running(row.spoken), f"$$\n{aligned(lines)}\n$$"]))
-
-
-def aligned(lines: Sequence[str]) -> str:
-    """Lines below each other; unlike an ``align`` this may stand between dollars."""
-    # A bracket at the start of a line would be read as an option.
-    safe = ["{}" + line if line.startswith("[") else line for line in lines]
-    return "\\begin{aligned}\n" + " \\\\\n".join(safe) + "\n\\end{aligned}"
 
 
 def _table(head: Sequence[str], rows: Sequence[Sequence[str]], right: Collection[int]) -> str:

@@ -10,7 +10,7 @@ from sympy import Basic
 
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption
-from rigidtop.proof.verdict import Judgement, Verdict
+from rigidtop.proof.verdict import Finding, Judgement, Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report.claims import condition, in_words, place, refuted, tested
 from rigidtop.typeset.layout import layout
@@ -25,6 +25,7 @@ LEGEND: Mapping[Verdict, str] = {
     ),
     Verdict.CONVENTION: "right in content, at odds with the notes’ own definitions",
     Verdict.FALSE: "it does not hold as the notes have it; the right form stands beneath",
+    Verdict.DEFINITION: "it introduces a name, and there is nothing to prove",
     Verdict.UNDECIDED: "neither shown nor refuted",
 }
 
@@ -65,16 +66,15 @@ def _note(judgement: Judgement, lines: Sequence[Equation]) -> b.Rich:
         if not item.assumption.stated and item.without is not None:
             together.setdefault(item.assumption.words.rstrip("."), []).append(item.assumption)
     letters = {x for each in lines for x in _letters(*each.sides)}
-    pieces: list[b.Piece] = []
-    for words, assumed in together.items():
-        pieces += ["; " if pieces else "", "if ", words]
-        if words and lines and not letters.issuperset(_letters(*(a.condition for a in assumed))):
-            continue
-        pieces.append(" (" if words else "")
-        for k, assumption in enumerate(assumed):
-            pieces += [", " if k else "", condition(assumption)]
-        pieces.append(")" if words else "")
-    return tuple(piece for piece in pieces if piece != "")
+
+    def told(words: str, assumed: Sequence[Assumption]) -> b.Rich:
+        relations = b.listed((condition(each),) for each in assumed)
+        if not words:
+            return ("if ", *relations)
+        seen = letters.issuperset(_letters(*(each.condition for each in assumed)))
+        return ("if ", words, *((" (", *relations, ")") if seen or not lines else ()))
+
+    return b.listed((told(*each) for each in together.items()), "; ")
 
 
 def _letters(*parts: Basic) -> set[Basic]:
@@ -125,14 +125,12 @@ def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block
         yield b.Display(rows)
 
 
-def _under(finding: Any) -> list[Any]:
+def _under(finding: Finding) -> b.Rich:
     """The conditions of a corrected form."""
-    made: list[Any] = []
-    for k, item in enumerate(finding.assumptions):
-        made += [", " if k else ", where ", condition(item.assumption)]
-    return made
+    under = b.listed((condition(item.assumption),) for item in finding.assumptions)
+    return (", where ", *under) if under else ()
 
 
-def _colon(reason: str, finding: Any) -> b.Rich:
+def _colon(reason: str, finding: Finding) -> b.Rich:
     words = reason.strip().rstrip(".:") or "What holds"
     return (words, *_under(finding), ":")

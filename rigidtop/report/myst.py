@@ -7,16 +7,13 @@ mystmd and Sphinx have alike is used; each claim has a page, to which its mark i
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
-from rigidtop.proof.equation import Equation
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report import markdown
 from rigidtop.terminal.visible import visible
-from rigidtop.typeset import sizes
-from rigidtop.typeset.latex import align_row
-from rigidtop.typeset.layout import Order
+from rigidtop.typeset.latex import aligned, aligned_lines
 
 CELL = 56.0
 """How many letters wide the equations of a table are."""
@@ -127,7 +124,7 @@ def _block(block: b.Block, above: int) -> str:
             return "\n".join(f"- {b.MARKS[v]} {markdown.words(words)}" for v, words in block.rows)
         case b.Results():
             cells = (
-                (name, markdown.aligned(_lines(equations, "printed", CELL)).replace("\n", " "))
+                (name, aligned(aligned_lines(equations, "printed", CELL)).replace("\n", " "))
                 for name, equations, _, _ in block.rows
             )
             rows = (f"| [({name})](#{b.anchor(name)}) | ${cell}$ |" for name, cell in cells)
@@ -137,29 +134,18 @@ def _block(block: b.Block, above: int) -> str:
 
 def _display(block: b.Display) -> list[str]:
     """The sentences and the equations, each with its name; before them its verdict."""
-    made: list[str] = []
-    group: list[b.Row] = []
-    for k, row in enumerate(block.rows):
-        group.append(row)
-        after = block.rows[k + 1 : k + 2]
-        if not after or after[0].reason or row.tag:
-            mark = next((each.mark for each in group if each.mark is not None), None)
-            if mark is not None:
-                made.append(_margin(mark))
-            if group[0].reason:
-                made.append(markdown.running(group[0].spoken))
-            lines = _lines([each.equation for each in group], row.order, markdown.LINE)
-            number = rf" \tag{{{row.tag}}}" if row.tag else ""
-            # Sphinx puts what has \\ into a split, in which there is no \tag.
-            equation = markdown.aligned(lines).replace("\\\\\n", "\\cr\n") + number
-            place = [f"({row.anchor})="] if row.anchor else []
-            made.append("\n".join([*place, "```{math}", equation, "```"]))
-            group = []
-    return made
-
-
-def _lines(equations: Iterable[Equation], order: Order, limit: float) -> list[str]:
-    return [align_row(line) for each in equations for line in sizes.lines(each, order, limit)]
+    parts: list[str] = []
+    for group in b.groups(block):
+        first, last = group[0], group[-1]
+        parts += [_margin(row.mark) for row in group if row.mark is not None][:1]
+        parts += [markdown.running(first.spoken)] if first.reason else []
+        lines = aligned_lines([row.equation for row in group], last.order, markdown.LINE)
+        number = rf" \tag{{{last.tag}}}" if last.tag else ""
+        # Sphinx puts what has \\ into a split, in which there is no \tag.
+        equation = aligned(lines).replace("\\\\\n", "\\cr\n") + number
+        place = [f"({last.anchor})="] if last.anchor else []
+        parts.append("\n".join([*place, "```{math}", equation, "```"]))
+    return parts
 
 
 def _margin(mark: b.Mark) -> str:

@@ -9,7 +9,7 @@ from sympy import Symbol
 
 from rigidtop.notation import Notation
 from rigidtop.proof.words import unmarked
-from rigidtop.report.blocks import Block, Heading, Paragraph, Rich, Table
+from rigidtop.report.blocks import Block, Heading, Paragraph, Table, listed
 from rigidtop.report.wording import Wording
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Lettered, stands_for
@@ -103,9 +103,7 @@ def remark(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
     """The same for a single claim, in one paragraph; nothing in the notation of the notes."""
     if not notation.images:
         return []
-    pieces: Rich = (f"As in {notation.title}; {turns(notation)}.",)
-    for i, letter in enumerate(different(notation, used)):
-        between = " Here " if i == 0 else ", "
-        pieces = (*pieces, between, layout(letter), " is ", layout(notation.in_notes(letter)))
-    said = " of the notes." if len(pieces) > 1 else ""
-    return [Paragraph((*pieces, said), "Notation")]
+    letters = different(notation, used)
+    others = listed((layout(x), " is ", layout(notation.in_notes(x))) for x in letters)
+    told = (" Here ", *others, " of the notes.") if letters else ()
+    return [Paragraph((f"As in {notation.title}; {turns(notation)}.", *told), "Notation")]

@@ -42,13 +42,12 @@ from rigidtop.proof.words import unmarked
 from rigidtop.report import plain
 from rigidtop.report.blocks import Display, Table
 from rigidtop.report.claims import claim_blocks
-from rigidtop.report.markdown import LINE, aligned, markdown
+from rigidtop.report.markdown import LINE, markdown
 from rigidtop.report.solutions import Solution, question, solved
 from rigidtop.report.solutions import blocks as solution_blocks
 from rigidtop.report.ways import way_blocks
 from rigidtop.theory.symbols import VOCABULARY
-from rigidtop.typeset import sizes
-from rigidtop.typeset.latex import align_row, latex
+from rigidtop.typeset.latex import aligned, aligned_lines, latex
 from rigidtop.typeset.text import letter as text_letter
 from rigidtop.typeset.text import text
 
@@ -158,7 +157,7 @@ def _aligned(equations: Sequence[Equation]) -> str:
     rows = []
     for equation in equations:
         try:
-            lines = [align_row(line) for line in sizes.lines(equation, "auto", LINE)]
+            lines = aligned_lines([equation], limit=LINE)
         except TypeError:
             left, *others = map(_tex, equation.sides)
             lines = [f"{left} &{equation.relation} " + f" {equation.relation} ".join(others)]

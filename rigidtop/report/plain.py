@@ -18,17 +18,7 @@ def fragment(blocks: Sequence[b.Block], width: int = 88) -> str:
     return visible(made.lstrip("\n") + "\n")
 
 
-def rich(content: b.Rich) -> str:
-    """Running text with formulas."""
-    return "".join(map(_piece, content))
-
-
-def _piece(piece: b.Piece) -> str:
-    if isinstance(piece, b.Unit):
-        return piece.spaced
-    if isinstance(piece, b.Cited):
-        return piece.words
-    return unmarked(piece) if isinstance(piece, str) else text(piece)
+rich = b.Script(words=unmarked, formula=text, unit=str, cited=lambda place: place.words)
 
 
 def _wrapped(words: str, width: int, first: str = "", rest: str = "") -> list[str]:

@@ -113,7 +113,12 @@ def numbers(solution: Solution) -> Iterable[b.Block]:
             columns = map(cleaned, zip(*outcome.rows, strict=True))
             yield b.Table(outcome.columns, cells([*zip(*columns, strict=True)]), outcome.title)
     if solution.measures:
-        yield measured(solution.measures, "Confirmed", "by a second way")
+        yield confirmed(solution.measures)
+
+
+def confirmed(measures: Sequence[Measure]) -> b.Table:
+    """By how much a second way to the same numbers differs."""
+    return measured(measures, "Confirmed", "by a second way")
 
 
 def question(

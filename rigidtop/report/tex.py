@@ -23,7 +23,7 @@ from rigidtop.report.tex_lines import (
 )
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import sizes
-from rigidtop.typeset.latex import align, align_row
+from rigidtop.typeset.latex import align, aligned_lines
 
 
 def write(document: b.Document, figures: Mapping[str, str]) -> str:
@@ -420,8 +420,7 @@ def _(block: b.NameLine) -> str:
 def _(block: b.Results) -> str:
     made: list[str] = []
     for number, equations, words, verdict in block.rows:
-        lines = [line for each in equations for line in sizes.lines(each, "printed", ROOM)]
-        shown = r" \\ ".join(map(align_row, lines))
+        shown = r" \\ ".join(aligned_lines(equations, "printed", ROOM))
         made.append(
             rf"\rtmark{{{verdict}}} & \rtcited{{{b.anchor(number)}}}{{({number})}} & "
             rf"\rtrows{{{shown}}} & {rich(words)} \\"

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from rigidtop.notation.characters import MATHS, SIGNS, SUPERSCRIPTS, escape
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.verdict import Verdict
 from rigidtop.report import blocks as b
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import nodes as lay
@@ -16,24 +15,9 @@ from rigidtop.typeset.latex import AlignRow, align, latex, row_lines, seen
 from rigidtop.typeset.layout import layout
 
 
-def rich(content: b.Rich) -> str:
-    """Running text with formulas."""
-    return "".join(map(_piece, content))
-
-
 def prose(text: str) -> str:
     """A sentence as LaTeX; what nobody sees in it is shown by its number."""
     return sentences.prose(visible(text))
-
-
-def _piece(piece: b.Piece) -> str:
-    if isinstance(piece, b.Unit):
-        return upright(piece.spaced)
-    if isinstance(piece, Verdict):
-        return rf"\verdict{{{piece}}}"
-    if isinstance(piece, b.Cited):
-        return rf"\rtcited{{{piece.anchor}}}{{{prose(piece.words)}}}"
-    return prose(piece) if isinstance(piece, str) else f"${in_words(piece)}$"
 
 
 def in_words(node: lay.Node) -> str:
@@ -70,6 +54,15 @@ def _unit_character(c: str) -> str:
     if c in SUPERSCRIPTS:
         return f"$^{{{SUPERSCRIPTS[c]}}}$"
     return f"${MATHS[c]}$" if c in "−×″" else r"\," if c == " " else escape(c)
+
+
+rich = b.Script(
+    words=prose,
+    formula=lambda node: f"${in_words(node)}$",
+    unit=upright,
+    cited=lambda place: rf"\rtcited{{{place.anchor}}}{{{prose(place.words)}}}",
+    verdict=lambda verdict: rf"\verdict{{{verdict}}}",
+)
 
 
 def goes_on(block: b.Block, after: b.Block | None) -> bool:

@@ -38,12 +38,19 @@ from rigidtop.typeset import mathml
 _SIGNS = {tex: sign for sign, tex in MATHS.items() if tex[0] == "\\" and tex[1:].isalpha()}
 _SIGNS |= {rf"\{sign}": sign for sign in "{}%&$#"}
 _SIGNS |= {r"\le": "≤", r"\ge": "≥", r"\ne": "≠", r"\leqslant": "≤", r"\geqslant": "≥"}
-_SIGNS |= {r"\rightarrow": "→", r"\longrightarrow": "⟶", r"\implies": "⟹", r"\iff": "⟺"}
+_SIGNS |= {
+    r"\perp": "⊥",
+    r"\rightarrow": "→",
+    r"\longrightarrow": "⟶",
+    r"\implies": "⟹",
+    r"\iff": "⟺",
+}
 _SIGNS |= {r"\dots": "…", r"\cdots": "⋯", r"\vdots": "⋮", r"\ddots": "⋱", r"\colon": ":"}
 _SIGNS |= {r"\lvert": "|", r"\rvert": "|", r"\vert": "|", r"\lVert": "‖", r"\rVert": "‖"}
 _SIGNS |= {r"\|": "‖", r"\lbrace": "{", r"\rbrace": "}", r"\sum": "∑", r"\prod": "∏"}
 _SIGNS |= {r"\oint": "∮", r"\iint": "∬", r"\iiint": "∭", r"\otimes": "⊗", r"\oplus": "⊕"}
 _SIGNS |= {r"\ast": "∗", r"\star": "⋆", r"\bullet": "∙", r"\cap": "∩", r"\cup": "∪", r"\bot": "⊥"}
+_SIGNS |= {r"\perp": "⊥"}
 _SIGNS |= {r"\subset": "⊂", r"\propto": "∝", r"\doteq": "≐", r"\triangleq": "≜", r"\odot": "⊙"}
 _SIGNS |= {sign: sign for sign in "=+/<>|,;:!?.()[]"} | {"-": "−", "*": "∗"}
 _LETTERS = {**GREEKS, r"\ell": "ℓ", r"\hbar": "ℏ", r"\infty": "∞", r"\partial": "∂"}
@@ -54,6 +61,7 @@ _NAMES = {*FUNCTIONS, *listed("lim max min sup inf arg deg sec csc cot coth sgn 
 _SPREAD = frozenset("∑∏∫∮∬∭")
 _OPENS = frozenset("([{|‖⟨")
 _BRACKETS = _OPENS | frozenset(")]}⟩")
+_PRIMES = {"′′": "″", "′′′": "‴"}
 _SPACES = {r"\quad": "1em", r"\qquad": "2em", r"\enspace": "0.5em"}
 _DOTTED = '<mo scriptlevel="0">{}</mo>'
 _ACCENTS = {
@@ -83,14 +91,17 @@ _CENTRED = frozenset({*_FENCES, "matrix", "smallmatrix", "array"}) - {"cases", "
 _WITH_ARGUMENT = frozenset({"array", "alignat", "alignat*", "alignedat", "xalignat", "xalignat*"})
 
 
-def transcript(text: str, macros: Macros, display: bool = False) -> str:
-    """The ``<math>`` element of a formula; "" where something of it is not known here."""
+def transcript(text: str, macros: Macros, display: bool = False, alt: str = "") -> str:
+    """The ``<math>`` element of a formula; "" where something of it is not known here.
+
+    `alt` says it in words, by default its TeX.
+    """
     try:
         items = expanded(pieces(text), macros)
         inside = _Transcript(items).table()
     except UnreadError:
         return ""
-    return mathml.element(inside, " ".join(text.split()), display) if items else ""
+    return mathml.element(inside, alt or " ".join(text.split()), display) if items else ""
 
 
 class _Transcript:
@@ -98,6 +109,7 @@ class _Transcript:
 
     def __init__(self, items: Sequence[Piece], bold: bool = False, deep: int = 0) -> None:
         self.items, self.at, self.bold, self.deep = items, 0, bold, deep
+        self.closings = _closings(items)
         self.limit()
 
     def limit(self) -> None:
@@ -169,9 +181,12 @@ class _Transcript:
                 made.append(mathml.THIN)
             if part:
                 made.append(part)
-            if begun in _WORDS or (_name(begun) and self.peek() not in ("(", r"\left", "{}")):
+            if _name(begun) and self.peek():
+                made.append(mathml.APPLY)
+            if begun in _WORDS or (_name(begun) and self.peek() not in ("", "(", r"\left", "{}")):
                 made.append(mathml.THIN)
-        return made
+        # A word has space beside what stands there.
+        return made[made[:1] == [mathml.THIN] : len(made) - (made[-1:] == [mathml.THIN])]
 
     # --- Atoms ------------------------------------------------------------------------------------
 
@@ -190,8 +205,11 @@ class _Transcript:
                 above = self.argument()
             else:
                 below = self.argument()
-        if primes:
+        if primes and above:
             above = _row(f"<mo>{primes}</mo>{above}")
+        elif primes:
+            base = f"<msub>{base}{below}</msub>" if below else base
+            return mathml.primed(base, _PRIMES.get(primes, primes))
         spread = _SIGNS.get(begun) in _SPREAD or begun in (r"\lim", r"\underbrace", r"\overbrace")
         under, over = ("munder", "mover") if spread else ("msub", "msup")
         if below and above:
@@ -210,6 +228,8 @@ class _Transcript:
         text = piece.text
         if text == "{}":
             return self.inner(piece.group)
+        if self.at - 1 in self.closings:
+            return self.bracketed()
         if text.isdigit():
             while self.peek().isdigit() or (self.peek() == "." and self._digit_follows()):
                 text += self.next().text
@@ -232,10 +252,20 @@ class _Transcript:
     def _digit_follows(self) -> bool:
         return self.at + 1 < len(self.items) and self.items[self.at + 1].text.isdigit()
 
+    def bracketed(self) -> str:
+        """From a bracket to the one that closes it, which an exponent raises together."""
+        begun = self.at - 1
+        self.at = self.closings[begun] + 1
+        shape = "".join(_SIGNS[self.items[k].text] for k in (begun, self.at - 1))
+        inside = self.within(self.items[begun + 1 : self.at - 1]).parts()
+        return mathml.fenced("".join(inside), shape, tall=False)
+
     def letter(self, character: str) -> str:
-        style = ' mathvariant="normal" style="font-weight:bold"' if self.bold else ""
-        upright = character.isupper() and ord(character) > 0x370
-        style = style or ' mathvariant="normal"' * upright
+        greek = ord(character) > 0x370
+        style = ' mathvariant="normal"' * (character.isupper() and greek)
+        if self.bold:
+            upright = ' mathvariant="normal"' * (character.isupper() or not greek)
+            style = f'{upright} style="font-weight:bold"'
         return f"<mi{style}>{escape(character)}</mi>"
 
     def fence(self, _: str) -> str:
@@ -284,7 +314,8 @@ class _Transcript:
         if text in UPRIGHT and not plain(*group).isalpha():
             return self.inner(group)
         tag = "mi" if text.startswith(r"\operatorname") else "mtext"
-        return f"<{tag}>{escape(said(group))}</{tag}>"
+        dashed = said(group).replace("---", "—").replace("--", "–")
+        return f"<{tag}>{escape(dashed)}</{tag}>"
 
     def styled(self, text: str) -> str:
         return "".join(f"<mi>{_character(_STYLES[text], x)}</mi>" for x in plain(*self.group()))
@@ -336,6 +367,21 @@ class _Transcript:
     }
 
 
+def _closings(items: Sequence[Piece]) -> dict[int, int]:
+    """Where each bracket is closed that is, by its place; those of \\left and \\right apart."""
+    made: dict[int, int] = {}
+    opened: list[tuple[str, int]] = []
+    for k, piece in enumerate(items):
+        sign = _SIGNS.get(piece.text, " ")
+        if k and items[k - 1].text in (r"\left", r"\right"):
+            continue
+        if opened and opened[-1][0] + sign in ("()", "[]", "||", "‖‖"):
+            made[opened.pop()[1]] = k
+        elif sign in "([|‖":
+            opened.append((sign, k))
+    return made
+
+
 def _name(text: str) -> bool:
     """Whether a command is a function's name."""
     return text[:1] == "\\" and text[1:] in _NAMES
@@ -359,6 +405,8 @@ def _is_sign(part: str) -> bool:
 def _sign(sign: str, first: bool) -> str:
     if sign in _BRACKETS:
         return f'<mo stretchy="false">{sign}</mo>'
+    if sign == "/":
+        return '<mo lspace="0" rspace="0">/</mo>'
     form = ' form="prefix"' if first and sign in "+−±∓" else ""
     return f"<mo{form}>{escape(sign)}</mo>"
 

@@ -10,7 +10,6 @@ from functools import singledispatch
 from importlib.resources import files
 
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.verdict import Verdict
 from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.pdf import written_at
@@ -26,8 +25,7 @@ from rigidtop.report.tex_lines import (
 )
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import nodes as lay
-from rigidtop.typeset import sizes
-from rigidtop.typeset.latex import AlignRow, align_row, latex, row_lines, seen
+from rigidtop.typeset.latex import AlignRow, aligned_lines, latex, row_lines, seen
 from rigidtop.typeset.sentences import tex, tied, written
 
 
@@ -172,19 +170,13 @@ def _words(text: str) -> str:
     return text.replace("\\", "").replace("---", "—").replace("--", "–")
 
 
-def rich(content: b.Rich) -> str:
-    """Running text with formulas."""
-    return "".join(map(_piece, content))
-
-
-def _piece(piece: b.Piece) -> str:
-    if isinstance(piece, b.Unit):
-        return plain(piece.spaced)
-    if isinstance(piece, Verdict):
-        return f'#verdict("{piece}")'
-    if isinstance(piece, b.Cited):
-        return f'#link(label("{piece.anchor}"))[{plain(piece.words)}]'
-    return prose(piece) if isinstance(piece, str) else _inline(in_words(lay.flat(piece)))
+rich = b.Script(
+    words=prose,
+    formula=lambda node: _inline(in_words(lay.flat(node))),
+    unit=plain,
+    cited=lambda place: f'#link(label("{place.anchor}"))[{plain(place.words)}]',
+    verdict=lambda verdict: f'#verdict("{verdict}")',
+)
 
 
 def _note(mark: b.Mark | None) -> str:
@@ -350,7 +342,7 @@ def _(block: b.Results) -> str:
     rows = [
         (
             f'#link(label("{b.anchor(number)}"))[{plain(f"({number})")}]',
-            "".join(f'#eq("", "", $ {maths(_in_lines(each))} $)' for each in equations),
+            "".join(f'#eq("", "", $ {_in_lines(each)} $)' for each in equations),
             rich(words),
         )
         for number, equations, words, _ in block.rows
@@ -363,4 +355,4 @@ ROOM = 48.0
 
 
 def _in_lines(equation: Equation) -> str:
-    return r" \\ ".join(map(align_row, sizes.lines(equation, "printed", ROOM)))
+    return maths(r" \\ ".join(aligned_lines([equation], "printed", ROOM)))

@@ -44,7 +44,7 @@ def way_blocks(
     blocks: list[b.Block] = [b.Display(tuple(rows), "Derivation")]
     if starts:
         names = [called(lecture.lines[id], notation) for id in starts]
-        blocks.append(b.Paragraph((*_listed(names), "."), "From"))
+        blocks.append(b.Paragraph((*b.listed(names, last=" and "), "."), "From"))
     return [*blocks, *gaps(lecture, lecture.leading([name]))]
 
 
@@ -298,10 +298,8 @@ def _spoken(words: b.Rich, judged: Judged, notation: Notation) -> b.Rich:
     new = [c for c in new if text(relation(c, notation)) not in told]
     if not (new and words and isinstance(words[-1], str)):
         return words
-    made: list[Any] = [*words[:-1], words[-1].rstrip().rstrip(":")]
-    for k, condition in enumerate(new):
-        made += [" and " if k else ", where ", relation(condition, notation)]
-    return (*made, ":")
+    conditions = b.listed(((relation(c, notation),) for c in new), " and ")
+    return (*words[:-1], words[-1].rstrip().rstrip(":"), ", where ", *conditions, ":")
 
 
 def relation(condition: Condition, notation: Notation = NOTES) -> Node:
@@ -407,11 +405,3 @@ def reason(judged: Judged, letters: Letters, notation: Notation = NOTES) -> str:
     values = ", ".join(f"{said(x)} = {said(value)}" for x, value in found.at.items())
     sides = f"the left side is {said(found.left)}, the right side {said(found.right)}"
     return f"{why}; with what is cited, at {values}, {sides}"
-
-
-def _listed(names: Sequence[b.Rich]) -> b.Rich:
-    made: list[Any] = []
-    for k, name in enumerate(names):
-        between = "" if k == 0 else " and " if k == len(names) - 1 else ", "
-        made += [between, *name] if between else name
-    return tuple(made)

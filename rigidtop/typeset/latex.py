@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from sympy import Basic
 
 from rigidtop.notation.characters import LETTERS, MARKS, MATHS, SIGNS, TEX_GREEK, escape, joined
+from rigidtop.proof.equation import Equation
 from rigidtop.theory.symbols import Glyph
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
@@ -115,6 +116,20 @@ def align_row(line: Line) -> str:
     left = _tex(line.left) + " " if line.left is not None else ""
     sign = SIGNS[line.sign] + " " if line.sign else r"\quad {}"
     return f"{left}&{sign}{_tex(line.right)}"
+
+
+def aligned_lines(
+    equations: Iterable[Equation], order: Order = "auto", limit: float = sizes.LINE
+) -> list[str]:
+    """The lines of equations, broken to so many letters, each with its alignment mark."""
+    return [align_row(line) for each in equations for line in sizes.lines(each, order, limit)]
+
+
+def aligned(lines: Sequence[str]) -> str:
+    """Lines below each other; unlike an ``align`` this may stand between dollars."""
+    # A bracket at the start of a line would be read as an option.
+    safe = ["{}" + line if line.startswith("[") else line for line in lines]
+    return "\\begin{aligned}\n" + " \\\\\n".join(safe) + "\n\\end{aligned}"
 
 
 def _line_width(line: Line) -> float:

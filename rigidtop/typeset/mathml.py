@@ -216,10 +216,10 @@ def _ml(node: lay.Node) -> str:
             inside = "<mo>,</mo>".join(map(_ml, node.arguments))
             if node.brackets:
                 tall = any(map(sizes.is_tall, node.arguments))
-                return _group(name + APPLY + _fenced(inside, "()", tall))
+                return _group(name + APPLY + fenced(inside, "()", tall))
             return _group(name + APPLY + THIN + inside)
         case lay.Brackets():
-            return _fenced(_ml(node.body), node.shape, sizes.is_tall(node.body))
+            return fenced(_ml(node.body), node.shape, sizes.is_tall(node.body))
         case lay.Braced():
             # A stretched ⏟ comes out too short in the cells of a table; a border never does, and
             # dots are no fraction bar.
@@ -245,9 +245,7 @@ def _ml(node: lay.Node) -> str:
             else:
                 made = _group(f"<mfrac>{over}{under}</mfrac>{_ml(node.body)}")
             if node.frame:
-                return (
-                    f"<msub>{_fenced(made, '()', True)}<mtext>{escape(node.frame)}</mtext></msub>"
-                )
+                return f"<msub>{fenced(made, '()', True)}<mtext>{escape(node.frame)}</mtext></msub>"
             return made
         case lay.Big():
             bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
@@ -276,7 +274,7 @@ def _ml(node: lay.Node) -> str:
                 "<mtr>" + "".join(f"<mtd>{STRUT}{_ml(entry)}</mtd>" for entry in row) + "</mtr>"
                 for row in node.rows
             )
-            return _fenced(f"<mtable>{rows}</mtable>", "[]", True)
+            return fenced(f"<mtable>{rows}</mtable>", "[]", True)
         case lay.Listed():
             if node.between == ",":
                 return _group("<mo>,</mo>".join(map(_ml, node.items)))
@@ -304,7 +302,8 @@ def with_superscript(base: str, exponent: str) -> str:
     return f"<msup>{base}{exponent}</msup>"
 
 
-def _fenced(inside: str, shape: str, tall: bool) -> str:
+def fenced(inside: str, shape: str, tall: bool) -> str:
+    """What is inside between two brackets, which grow where it is tall; "." for none."""
     stretchy = "true" if tall else "false"
     left, right = (
         f'<mo form="{form}" fence="true" stretchy="{stretchy}">{mark}</mo>' * (mark != ".")

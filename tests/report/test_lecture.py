@@ -61,8 +61,8 @@ def _is(block, *kinds):
 
 
 @pytest.fixture(scope="module")
-def recorded(judged, solutions):
-    return record(judged, solutions)[0]
+def recorded(judged, solutions, lines):
+    return record(judged, solutions, Edition(lines=lines))[0]
 
 
 @pytest.fixture(scope="module")
@@ -373,9 +373,18 @@ def test_a_claim_of_the_lecture_is_named_and_not_repeated(recorded, solutions):
     heads = [block.name for block in recorded.blocks if isinstance(block, ClaimHead)]
     assert len(set(heads)) == len(heads)
     assert {j.claim.name for solution in solutions for j in solution.judgements} <= set(heads)
-    assert ("See the claim example-34 above.",) in [
-        block.content for block in recorded.blocks if isinstance(block, Paragraph)
-    ]
+    shown = [plain.rich(b.content) for b in recorded.blocks if isinstance(b, Paragraph)]
+    assert any(words.startswith("We have shown: “") for words in shown)
+
+
+def test_the_record_has_every_line_once(recorded, document):
+    def lines(whole):
+        rows = (row for b in whole.blocks if isinstance(b, Display) for row in b.rows)
+        return [row.line for row in rows if row.line and row.reason]
+
+    there = lines(recorded)
+    assert len(set(there)) == len(there)
+    assert set(there) == set(lines(document))
 
 
 def test_a_student_sees_no_solution(judged, solutions, lines):

@@ -11,9 +11,12 @@ from hypothesis import strategies as st
 from rigidtop.cli import main
 from rigidtop.read.macros import defined
 from rigidtop.report.transcript import transcript
-from rigidtop.typeset.mathml import THIN
+from rigidtop.typeset.mathml import APPLY, THIN
 
 DOT = '<mo scriptlevel="0">˙</mo>'
+OPENS, CLOSES = (
+    f'<mo form="{form}" fence="true" stretchy="false">|</mo>' for form in ("prefix", "postfix")
+)
 AUTHORS = sorted((Path(__file__).parents[1] / "judge" / "authors").iterdir())
 
 
@@ -30,7 +33,7 @@ def text(source):
     ("source", "made"),
     [
         (r"\frac{a}2", "<mfrac><mi>a</mi><mn>2</mn></mfrac>"),
-        (r"x'", "<msup><mi>x</mi><mrow><mo>′</mo></mrow></msup>"),
+        (r"x''", "<mrow><mi>x</mi><mo>″</mo></mrow>"),
         (r"\sqrt[3]{x}", "<mroot><mi>x</mi><mn>3</mn></mroot>"),
         (r"12.5", "<mn>12.5</mn>"),
         (r"-x", '<mrow><mo form="prefix">−</mo><mi>x</mi></mrow>'),
@@ -38,8 +41,13 @@ def text(source):
         (r"a-x", "<mrow><mi>a</mi><mo>−</mo><mi>x</mi></mrow>"),
         (r"\mathcal{L}", "<mi>ℒ</mi>"),
         (r"\mathbf r", '<mi mathvariant="normal" style="font-weight:bold">r</mi>'),
-        (r"\text{for all }", f"<mrow>{THIN}<mtext>for all</mtext>{THIN}</mrow>"),
-        (r"x\sin y", f"<mrow><mi>x</mi>{THIN}<mi>sin</mi>{THIN}<mi>y</mi></mrow>"),
+        (r"\text{z--x}", "<mtext>z–x</mtext>"),
+        (r"a\text{ for all }", f"<mrow><mi>a</mi>{THIN}<mtext>for all</mtext></mrow>"),
+        (
+            r"|a|^2",
+            f"<msup><mrow>{OPENS}<mi>a</mi>{CLOSES}</mrow><mn>2</mn></msup>",
+        ),
+        (r"x\sin y", f"<mrow><mi>x</mi>{THIN}<mi>sin</mi>{APPLY}{THIN}<mi>y</mi></mrow>"),
         (r"\mathrm{CM}", "<mtext>CM</mtext>"),
     ],
 )

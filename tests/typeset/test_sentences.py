@@ -7,9 +7,10 @@ import pytest
 
 from rigidtop.notation.characters import MATHS, SUBSCRIPTS, SUPERSCRIPTS, escape
 from rigidtop.proof.words import bold, parts, unbold, unmarked
+from rigidtop.report.html import prose_html
 from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.mathml import APPLY, THIN, held
-from rigidtop.typeset.sentences import prose, prose_html
+from rigidtop.typeset.sentences import prose
 
 CASES = {
     "$θ̈$ vanishes": r"$\ddot{\theta}$ vanishes",
@@ -141,9 +142,9 @@ HTML = {
     "$sin²θ$": f"⟦<mrow><msup><mi>sin</mi><mn>2</mn></msup>{APPLY}{THIN}<mi>θ</mi></mrow>⟧",
     "$|ω|$": '⟦<mrow><mo form="prefix" fence="true" stretchy="false">|</mo><mi>ω</mi>'
     '<mo form="postfix" fence="true" stretchy="false">|</mo></mrow>⟧',
-    "$Ω₋$": '⟦<msub><mi mathvariant="normal">Ω</mi><mo>−</mo></msub>⟧',
+    "$Ω₋$": '⟦<msub><mi mathvariant="normal">Ω</mi><mo form="prefix">−</mo></msub>⟧',
     "$½$": "⟦<mfrac><mn>1</mn><mn>2</mn></mfrac>⟧",
-    "$10⁻⁶$": "⟦<msup><mn>10</mn><mn>−6</mn></msup>⟧",
+    "$10⁻⁶$": '⟦<msup><mn>10</mn><mrow><mo form="prefix">−</mo><mn>6</mn></mrow></msup>⟧',
     "kg $m²$": "kg ⟦<msup><mtext>m</mtext><mn>2</mn></msup>⟧",
 }
 
