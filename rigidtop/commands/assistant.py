@@ -7,7 +7,6 @@ it is run, and no file is opened on its account.
 from __future__ import annotations
 
 import asyncio
-import logging
 from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any
@@ -79,7 +78,6 @@ class Assistant:
 
     def serve(self) -> None:
         """Answer on standard output what comes by standard input, until it ends."""
-        logging.disable(logging.CRITICAL)  # what is wrong is told in the answer
         self.worker.serve(lambda: asyncio.run(self.server.run_stdio_async()))
 
     async def audit(self, text: Tex) -> Record:

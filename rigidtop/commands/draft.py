@@ -197,4 +197,7 @@ def _repair(row: Row, text: str) -> str:
     right, each = row.outcome.right, row.statement
     if not right or not isinstance(each, Statement) or len(each.sides) != 2 or each.continues:
         return ""
-    return right if len(statements(text)) == 1 == len(statements(right)) else ""
+    if not len(statements(text)) == 1 == len(statements(right)):
+        return ""
+    [sign] = each.relations  # it stays below those of the other lines
+    return right.replace(f" {sign} ", f" &{sign} ", 1) if "&" in text else right

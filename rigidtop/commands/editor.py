@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -70,7 +69,6 @@ class Editor:
 
     def serve(self) -> None:
         """Answer on standard output what comes by standard input, until it ends."""
-        logging.getLogger("pygls").setLevel(logging.CRITICAL)  # a broken message is skipped
         with own_output() as output:
             self.server.protocol.set_writer(StdoutWriter(output))
             self.worker.serve(self._listen)
@@ -107,7 +105,8 @@ class Editor:
         """Audit a text and tell the editor, unless there is a newer one."""
 
         def is_old() -> bool:
-            return document.text is not text or document.uri not in self.documents
+            newest = self.documents.get(document.uri)
+            return document is not newest or document.text is not text
 
         if is_old():
             return

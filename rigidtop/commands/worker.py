@@ -6,6 +6,7 @@ Only there can a limit of time end it: see `rigidtop.terminal.limit`.
 from __future__ import annotations
 
 import _thread
+import logging
 import os
 import sys
 import threading
@@ -51,6 +52,7 @@ class Worker:
                 _thread.interrupt_main()
                 self._jobs.put(lambda: None)  # wakes it
 
+        logging.disable(logging.CRITICAL)  # a broken message is answered, or skipped
         threading.Thread(target=listening, daemon=True).start()
         try:
             while True:
