@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands import claims
 from rigidtop.commands.notation import add_notation, chosen
@@ -13,6 +13,7 @@ from rigidtop.errors import RigidtopError
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.notation import Notation
+    from rigidtop.proof.lecture import Lecture
     from rigidtop.proof.verdict import Judgement
 
 ABOUT = "derive one equation or claim and show every step"
@@ -55,28 +56,42 @@ def run(options: argparse.Namespace) -> int:
 
 def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
     from rigidtop.report.lecture import fragment
-    from rigidtop.report.lines import way_record
-    from rigidtop.report.records import record
-    from rigidtop.report.wording import Wording
 
     notation = chosen(options)
+    judgement, lecture = derived(collection, name)
+    if options.format in SOURCES:
+        return _source(options, judgement, notation)
+    text = fragment(judgement, options.format, notation, options.deep)
+    if options.json:
+        way = record(judgement, lecture, notation, options.deep)
+        print_json({**way, "format": options.format, "text": text})
+    else:
+        print(text)
+    return 0 if judgement.passed else claims.FAILED
+
+
+def derived(collection: Collection, name: str) -> tuple[Judgement, Lecture]:
+    """A claim as it is judged, and the lecture that derives it."""
     found = claims.named(collection, [name])
     if len(found) != 1:
         names = " ".join(claim.name for _, claim in found)
         raise RigidtopError(f"{name} is a section; derive one of its claims: {names}")
     lecture = collection.lecture_with(collection.solved_by(claim for _, claim in found))
     [(_, judgement)] = claims.judged(found, collection.letters, lecture)
-    if options.format in SOURCES:
-        return _source(options, judgement, notation)
-    text = fragment(judgement, options.format, notation, options.deep)
-    if options.json:
-        said = record(Wording(notation).judgement(judgement))
-        steps, starts = way_record(lecture, judgement.claim.name, notation, options.deep)
-        extra = {"steps": steps, "rests_on": starts, "format": options.format, "text": text}
-        print_json({**said, **extra})
-    else:
-        print(text)
-    return 0 if judgement.passed else claims.FAILED
+    return judgement, lecture
+
+
+def record(
+    judgement: Judgement, lecture: Lecture, notation: Notation, deep: bool = False
+) -> dict[str, Any]:
+    """A claim with each step that leads to it, as plain values."""
+    from rigidtop.report import records
+    from rigidtop.report.lines import way_record
+    from rigidtop.report.wording import Wording
+
+    said = records.record(Wording(notation).judgement(judgement))
+    way, starts = way_record(lecture, judgement.claim.name, notation, deep)
+    return {**said, "steps": way, "rests_on": starts}
 
 
 def _source(options: argparse.Namespace, judgement: Judgement, notation: Notation) -> int:

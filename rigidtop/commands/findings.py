@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cache
 from typing import TYPE_CHECKING, Any
@@ -59,7 +59,8 @@ class Finding:
     `passed` is None where it neither follows nor is wrong; `display` says that a table has it in
     any case.  `written` is the formula as it was read, `right` as it has to be, `against` are
     formulas that it rests on or contradicts, each with its place.  `formula` is where the formula
-    begins in the file that was named; -1 for what is not there.
+    begins in the file that was named; -1 for what is not there.  `rows` are the statements of which
+    it is said, as they were judged.
     """
 
     of: Of
@@ -73,6 +74,7 @@ class Finding:
     right: str = ""
     against: tuple[tuple[Place, str], ...] = ()
     formula: int = -1
+    rows: tuple[Row, ...] = ()
     more: Mapping[str, Any] = field(default_factory=dict)
 
     @property
@@ -137,6 +139,7 @@ def of_claim(each: Copy, place: Placing) -> Finding:
         each.passed or (False if each.verdict == FALSE else None),
         written=", ".join(filter(None, wrong)),
         right=each.right,
+        rows=tuple(replace(x.row, outcome=x.outcome) for x in each.lines),
         more=more,
     )
 
@@ -202,6 +205,7 @@ def of_rows(
             right=_right(outcome.right),
             against=tuple((place(x.position)[0], _in_words(x.statement) or "") for x in others),
             formula=start if source is top else -1,
+            rows=(row,),
             more={
                 "label": names[row.number],
                 "slip": outcome.slip,

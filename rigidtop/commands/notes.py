@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -19,9 +20,12 @@ from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
+    from rigidtop.judge.text import Row
     from rigidtop.mark.numbered import Copy
     from rigidtop.read.macros import Macros
     from rigidtop.read.project import Source
+
+    Judging = Callable[[str, Macros, float], tuple[Row, ...]]
 
 
 class NoFormulasError(RigidtopError):
@@ -55,9 +59,12 @@ class Notes:
         return any(each.is_wrong for each in self.findings)
 
 
-def audited(files: tuple[Source, ...], collection: Collection) -> Notes:
+def audited(
+    files: tuple[Source, ...], collection: Collection, judge: Judging | None = None
+) -> Notes:
     """Files that belong together, judged by themselves and by a collection.
 
+    `judge` finds the outcomes of a text; that of a text that changes knows those of the last one.
     Raises NoFormulasError where no formula says anything.
     """
     from rigidtop.commands.mark import subject_of
@@ -71,7 +78,7 @@ def audited(files: tuple[Source, ...], collection: Collection) -> Notes:
     until = time.process_time() + SECONDS
     source, text, macros = files[0].text, whole(files), macros_of(files)
     subject, place = subject_of(collection), places(source)
-    rows = judged(text.text, macros, until)
+    rows = (judge or judged)(text.text, macros, until)
     numbers = Numbers(collection.pages, subject, collection.letters)
     found = copies(rows, text.text, numbers, macros, until)
     own = in_its_letters(found, subject)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import inf
 from typing import Final
 
@@ -15,10 +16,11 @@ from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import ENERGIES, LAGRANGIANS
 from rigidtop.judge.meaning import is_component
 from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
+from rigidtop.judge.question import Patience
 from rigidtop.judge.situation import Situation
 from rigidtop.read.cues import Cue
 from rigidtop.read.declared import declared
-from rigidtop.read.macros import Macros, customary, defined
+from rigidtop.read.macros import Macro, Macros, customary, defined
 from rigidtop.read.passages import Passage, passages
 from rigidtop.read.statements import statements
 from rigidtop.read.walk import places
@@ -59,6 +61,41 @@ class Row:
         return self.passage.start + self.statement.position
 
 
+@dataclass(frozen=True)
+class Asked:
+    """A statement where it stands, with what the text says of it: what the judge is asked."""
+
+    line: int
+    statement: Statement | Unread
+    passage: Passage
+    number: int
+    moment: str
+    is_case: bool
+
+
+@dataclass(frozen=True)
+class Reading:
+    """All that a text asks, how it uses its letters, and which ones its words introduce."""
+
+    asked: tuple[Asked, ...]
+    habits: Habits
+    names: frozenset[Letter]
+
+
+@dataclass(frozen=True)
+class Step:
+    """What became of something asked, None where it says nothing, and what is known behind it.
+
+    For so many `seconds` slips may still be looked for.
+    """
+
+    asked: Asked
+    row: Row | None
+    context: Context
+    scope: tuple[int, ...] | None
+    seconds: float
+
+
 def judged(source: str, macros: Macros | None = None, until: float = inf) -> tuple[Row, ...]:
     """Every statement of a text, in order.
 
@@ -72,39 +109,74 @@ def folded(
     source: str, macros: Macros | None = None, until: float = inf
 ) -> tuple[tuple[Row, ...], Context]:
     """The same, with what is known behind the last statement."""
+    read = reading(source, macros, until)
+    made = [*steps(read, until)]
+    rows = tuple(step.row for step in made if step.row is not None)
+    return rows, made[-1].context if made else Context(read.habits)
+
+
+def reading(source: str, macros: Macros | None = None, until: float = inf) -> Reading:
+    """What a text asks."""
     read, place = read_text(source, macros, until)
-    habits = habits_of([each for _, each in read if isinstance(each, Statement)])
-    context, judge = Context(habits), Judge()
-    rows: list[Row] = []
-    moments = instants(read)
-    scope: tuple[int, ...] | None = None
-    names = declared_letters(source)
     cases = cases_of(read)
-    for number, (passage, each) in enumerate(read):
-        line = place(passage.start + each.position)[0]
-        if isinstance(each, Unread):
-            rows.append(Row(line, each, Outcome(UNREAD, each.reason), passage, number))
-            continue
-        if not each.relations:
-            if Cue.CONSTANT not in passage.cues:
-                continue
-            each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
-        context = context.within(passage.scope, passage.sentence)
-        opens = passage.scope != scope
-        each, time_of_it = at_one_time(each, habits.moving)
-        if time_of_it is not None:
-            moments[number] = moment = instant_at(time_of_it)
-            context = replace(context, instants={**context.instants, moment: time_of_it})
-        at = situation(passage, number, moments[number], opens, names)
-        at = replace(at, case=passage.start in cases)
-        scope = passage.scope
-        if at.instant and is_time(each):
-            context = replace(context, instants={**context.instants, at.instant: each.sides[1]})
-            rows.append(Row(line, each, Outcome(DEFINITION, "a moment"), passage, number))
-            continue
-        outcome, context = in_time(judge, each, at, context, until)
-        rows.append(Row(line, each, outcome, passage, number, at))
-    return tuple(rows), context
+    asked = tuple(
+        Asked(
+            place(passage.start + each.position)[0],
+            *(each, passage, number, moment, passage.start in cases),
+        )
+        for number, ((passage, each), moment) in enumerate(zip(read, instants(read), strict=True))
+    )
+    habits = habits_of([each for _, each in read if isinstance(each, Statement)])
+    return Reading(asked, habits, declared_letters(source))
+
+
+def steps(read: Reading, until: float = inf, made: Sequence[Step] = ()) -> Iterator[Step]:
+    """Each statement of a text judged, behind those that have been: they are not judged again."""
+    last = made[-1] if made else None
+    context, scope = Context(read.habits), None
+    judge = Judge()
+    if last is not None:
+        context, scope = last.context, last.scope
+        judge = Judge(patience=Patience(last.seconds))
+    for asked in read.asked[len(made) :]:
+        row, context = _step(asked, read, judge, context, scope, until)
+        if row is not None and isinstance(asked.statement, Statement):
+            scope = asked.passage.scope
+        yield Step(asked, row, context, scope, judge.patience.seconds)
+
+
+def _step(
+    asked: Asked,
+    read: Reading,
+    judge: Judge,
+    context: Context,
+    scope: tuple[int, ...] | None,
+    until: float,
+) -> tuple[Row | None, Context]:
+    """What becomes of a statement that stands behind one of a scope, and what is known then."""
+    each, passage, moment = asked.statement, asked.passage, asked.moment
+
+    def row(outcome: Outcome, at: Situation | None = None) -> Row:
+        return Row(asked.line, each, outcome, passage, asked.number, at)
+
+    if isinstance(each, Unread):
+        return row(Outcome(UNREAD, each.reason)), context
+    if not each.relations:
+        if Cue.CONSTANT not in passage.cues:
+            return None, context
+        each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
+    context = context.within(passage.scope, passage.sentence)
+    each, time_of_it = at_one_time(each, read.habits.moving)
+    if time_of_it is not None:
+        moment = instant_at(time_of_it)
+        context = replace(context, instants={**context.instants, moment: time_of_it})
+    at = situation(passage, asked.number, moment, passage.scope != scope, read.names)
+    at = replace(at, case=asked.is_case)
+    if at.instant and is_time(each):
+        context = replace(context, instants={**context.instants, at.instant: each.sides[1]})
+        return row(Outcome(DEFINITION, "a moment")), context
+    outcome, context = in_time(judge, each, at, context, until)
+    return row(outcome, at), context
 
 
 def in_time(
@@ -132,6 +204,7 @@ def in_time(
 # --- Reading -------------------------------------------------------------------------------------
 
 Read = list[tuple[Passage, Statement | Unread]]
+_Macros = frozenset[tuple[str, Macro]]
 
 _SHAPES: Final = {"ϕ": "φ", "ϑ": "θ", "ϵ": "ε"}
 """Letters that are written in two ways."""
@@ -153,9 +226,10 @@ def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -
     """What each formula states, read with the functions of the whole text."""
     if any(_POINT.search(passage.text) for passage in text):
         text = [replace(x, text=_THOUSANDS.sub(_closed_up, x.text)) for x in text]
-    once = [each for passage in text for each in _read(passage, macros, frozenset(), until)]
+    own = frozenset(macros.items())
+    once = [each for passage in text for each in _read(passage, own, frozenset(), until)]
     known = functions_of(once)
-    read = [(passage, each) for passage in text for each in _read(passage, macros, known, until)]
+    read = [(passage, each) for passage in text for each in _read(passage, own, known, until)]
     table = str.maketrans(_shapes(each for _, each in read))
     return [(passage, _folded(each, table)) for passage, each in read] if table else read
 
@@ -171,11 +245,19 @@ def _closed_up(match: re.Match[str]) -> str:
 
 
 def _read(
-    passage: Passage, macros: Macros, functions: frozenset[Letter], until: float
+    passage: Passage, macros: _Macros, functions: frozenset[Letter], until: float
 ) -> Sequence[Statement | Unread]:
     if time.process_time() > until:
         return (Unread(0, LATE),)
-    return statements(_whole(passage), macros, functions)
+    return _statements(_whole(passage), macros, functions)
+
+
+@lru_cache(maxsize=5_000)
+def _statements(
+    text: str, macros: _Macros, functions: frozenset[Letter]
+) -> Sequence[Statement | Unread]:
+    """What a formula states; of a text that is read again, only what is new is gone through."""
+    return statements(text, dict(macros), functions)
 
 
 def _whole(passage: Passage) -> str:

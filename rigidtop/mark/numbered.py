@@ -203,7 +203,7 @@ def _unread(row: Row, problem: str) -> Row:
 def in_its_letters(found: Sequence[Copy], subject: Subject) -> tuple[Copy, ...]:
     """Those whose numbers the collection has; none of a file in other letters that has them too."""
     known = tuple(each for each in found if each.judgement is not None)
-    if any(each.passed for each in known):
+    if not known or any(each.passed for each in known):
         return known
     pages = subject.lecture
     own = {x for id in pages.lines for said in stated(id, pages) for x in letters(said)} | ALWAYS

@@ -59,12 +59,15 @@ class Source:
         return cell, line - self.cells[cell - 1] + 1
 
 
-def sources(path: Path | str) -> tuple[Source, ...]:
-    """A file, and those that it takes in, in order.  Raises RigidtopError for what is no text."""
+def sources(path: Path | str, text: str | None = None) -> tuple[Source, ...]:
+    """A file, and those that it takes in, in order.  Raises RigidtopError for what is no text.
+
+    With `text` that is what stands in the file, whatever has been saved.
+    """
     top = Path(path)
     if top.suffix == ".ipynb":
         return (_notebook(top),)
-    found = [Source(top, text_of(top))]
+    found = [Source(top, text_of(top) if text is None else text)]
     if top.suffix in _LATEX:
         folder = top.resolve().parent
         _take_in(found, found[0], folder, {top.resolve()}, 1)

@@ -1,0 +1,203 @@
+"""A text that somebody is writing, audited again after each change."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rigidtop.commands.notes import NoFormulasError, Notes, audited
+from rigidtop.judge.text import LATE, Reading, Row, Step, reading, steps
+from rigidtop.read.project import sources, whole
+
+if TYPE_CHECKING:
+    from rigidtop.collection import Collection
+    from rigidtop.commands.findings import Finding
+    from rigidtop.read.macros import Macros
+
+
+class OldTextError(Exception):
+    """What is being judged has been changed in the meantime."""
+
+
+@dataclass
+class History:
+    """How far a text has been judged, so that what stands above a change is not judged again.
+
+    What a text says of all its letters has to be as it was.
+    """
+
+    read: Reading | None = None
+    steps: list[Step] = field(default_factory=list)
+
+    def rows(
+        self, text: str, macros: Macros, until: float, is_old: Callable[[], bool]
+    ) -> tuple[Row, ...]:
+        """Each statement as it is judged; raises OldTextError once the text is an old one."""
+        read = reading(text, macros, until)
+        self.steps = [*self._kept(read)]
+        self.read = read
+        for step in steps(read, until, self.steps[:]):
+            if is_old():
+                raise OldTextError
+            self.steps.append(step)
+        return tuple(step.row for step in self.steps if step.row is not None)
+
+    def _kept(self, read: Reading) -> Iterator[Step]:
+        """The steps that stand as they are."""
+        last = self.read
+        if last is None or (last.habits, last.names) != (read.habits, read.names):
+            return
+        for step, asked in zip(self.steps, read.asked, strict=False):
+            if step.asked != asked or (step.row and step.row.outcome.why == LATE):
+                return
+            yield step
+
+
+@dataclass(frozen=True)
+class Lines:
+    """The lines of a text as a protocol counts them: from 0, and columns in units of UTF-16.
+
+    >>> lines = Lines("a\\n𝜔 = 1")
+    >>> lines.place(4), lines.position(1, 3), lines.place(99)
+    ((1, 3), 4, (1, 6))
+    """
+
+    text: str
+
+    @cached_property
+    def starts(self) -> tuple[int, ...]:
+        return (0, *(match.end() for match in re.finditer(r"\n", self.text)))
+
+    def place(self, position: int) -> tuple[int, int]:
+        """The line of a position, and its column."""
+        line = bisect_right(self.starts, position) - 1
+        return line, _units(self.text[self.starts[line] : position])
+
+    def span(self, line: int) -> tuple[int, int]:
+        """Where a line begins and ends; the end of the text where it has no such line."""
+        if not 0 <= line < len(self.starts):
+            return len(self.text), len(self.text)
+        end = self.text.find("\n", self.starts[line])
+        return self.starts[line], end if end >= 0 else len(self.text)
+
+    def position(self, line: int, column: int) -> int:
+        """Where a line and a column are; a line ends where it has fewer columns."""
+        start, end = self.span(line)
+        units = self.text[start:end].encode("utf-16-le")[: 2 * column]
+        return start + len(units.decode("utf-16-le", "ignore"))
+
+
+def well_formed(text: str) -> str:
+    """A text from elsewhere with the ends of lines as the judge has them, and Unicode alone."""
+    text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\0", "\ufffd")
+    return text.encode("utf-16-le", "surrogatepass").decode("utf-16-le", "replace")
+
+
+def _units(text: str) -> int:
+    return len(text.encode("utf-16-le")) // 2
+
+
+@dataclass(frozen=True)
+class Remark:
+    """What is said of some characters of a text; `repair` is what they have to be, in LaTeX."""
+
+    start: int
+    end: int
+    finding: Finding
+    repair: str = ""
+
+
+@dataclass(frozen=True)
+class Audit:
+    """A text with what is remarked on it, and with its notes where it has formulas."""
+
+    text: str
+    remarks: tuple[Remark, ...] = ()
+    notes: Notes | None = None
+
+    @cached_property
+    def lines(self) -> Lines:
+        return Lines(self.text)
+
+    def at(self, position: int) -> tuple[Remark, ...]:
+        """What is remarked on a place, the wrong ones first."""
+        there = [each for each in self.remarks if each.start <= position <= each.end]
+        return tuple(sorted(there, key=lambda each: not each.finding.is_wrong))
+
+
+@dataclass
+class Draft:
+    """A text that changes, where it is saved, and how far it has been judged."""
+
+    path: Path
+    history: History = field(default_factory=History)
+
+    def audit(
+        self, text: str, collection: Collection, is_old: Callable[[], bool] = lambda: False
+    ) -> Audit:
+        """The newest text audited; raises OldTextError once it is not the newest any more."""
+
+        def judge(text: str, macros: Macros, until: float) -> tuple[Row, ...]:
+            return self.history.rows(text, macros, until, is_old)
+
+        files = sources(self.path, text)
+        try:
+            notes = audited(files, collection, judge)
+        except NoFormulasError:
+            return Audit(text)
+        return Audit(text, tuple(_remarks(notes)), notes)
+
+
+def _remarks(notes: Notes) -> Iterator[Remark]:
+    """What is found in the file that was named, where it stands there."""
+    whole_text = whole(notes.files)
+    ends = {}
+    rows = sorted((x for each in notes.findings for x in each.rows), key=lambda row: row.position)
+    for row, after in zip(rows, [*rows[1:], None], strict=True):
+        end = row.passage.start + len(row.passage.text)
+        ends[row.number] = min(end, after.position) if after is not None else end
+    for finding in notes.findings:
+        for row in finding.rows:
+            source, start = whole_text.origin(row.position)
+            if source is notes.source:
+                text = source.text[start : start + ends[row.number] - row.position]
+                text = text[: _written(text)]
+                yield Remark(start, start + len(text), finding, _repair(row, text))
+        if not finding.rows and finding.place is not None and not finding.place.file:
+            yield Remark(*Lines(notes.source.text).span(finding.place.line - 1), finding)
+
+
+_SIGN = re.compile(
+    r"\s|[.,;&]|\\[,;!:]|\\q?quad\b|\\\\(?:\[[^\]\n]{0,20}\])?|\\no(?:number|tag)\b"
+    r"|\\(?:label|tag\*?)\s{0,9}\{[^{}\n]{0,200}\}|(?P<sign>\\?.)",
+    re.DOTALL,
+)
+"""Layout, the end of a sentence and numbers, or a sign of a formula."""
+
+
+def _written(text: str) -> int:
+    """Where the last sign of a statement ends, without what stands behind it.
+
+    >>> _written(r"a = b. \\label{eq}")
+    5
+    """
+    return max((match.end() for match in _SIGN.finditer(text) if match["sign"]), default=0)
+
+
+def _repair(row: Row, text: str) -> str:
+    """What has to stand in place of a statement's text, where it is known and reads as one."""
+    from rigidtop.read.statements import statements
+    from rigidtop.tree.statement import Statement
+
+    right, each = row.outcome.right, row.statement
+    if not right or not isinstance(each, Statement) or len(each.sides) != 2 or each.continues:
+        return ""
+    if not len(statements(text)) == 1 == len(statements(right)):
+        return ""
+    [sign] = each.relations  # it stays below those of the other lines
+    return right.replace(f" {sign} ", f" &{sign} ", 1) if "&" in text else right

@@ -1,0 +1,225 @@
+"""What the language server tells an editor, asked by a client of the protocol."""
+
+import asyncio
+import json
+import sys
+from contextlib import asynccontextmanager
+from pathlib import Path
+
+import pytest
+from lsprotocol import types as lsp
+from pygls.lsp.client import LanguageClient
+
+import rigidtop.judge.text
+from rigidtop.cli import main
+from rigidtop.collection import built_in
+from rigidtop.commands.draft import Draft, Lines, OldTextError, well_formed
+
+BOB = r"""A bob 𝜔 has the Lagrangian
+
+$$L = \tfrac12 m l^2\dot\theta^2 + m g l\cos\theta$$
+
+𝜔: and so $l\ddot\theta = g\sin\theta$ and $m l^2\ddot\theta + m g l\sin\theta = 0$
+
+\begin{align}
+p &= m l^2\dot\theta, \label{p} \\
+\dot p &= m g l\sin\theta. \tag{2}
+\end{align}
+
+Then $q = = 2$.
+"""
+
+
+class Client:
+    """An editor with one open file, and what it has been told of it."""
+
+    def __init__(self, path):
+        self.path, self.uri, self.version = path, path.as_uri(), 0
+        self.told = asyncio.Queue()
+        self.client = LanguageClient("test", "1")
+        told = lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS
+        self.client.feature(told)(lambda params: self.told.put_nowait(params))
+
+    def send(self, text):
+        """Tell the server what stands in the file."""
+        self.version += 1
+        if self.version == 1:
+            item = lsp.TextDocumentItem(self.uri, "markdown", 1, text)
+            self.client.text_document_did_open(lsp.DidOpenTextDocumentParams(item))
+        else:
+            document = lsp.VersionedTextDocumentIdentifier(self.version, self.uri)
+            change = [lsp.TextDocumentContentChangeWholeDocument(text)]
+            params = lsp.DidChangeTextDocumentParams(document, change)
+            self.client.text_document_did_change(params)
+
+    async def diagnostics(self):
+        """What is told of the newest text."""
+        while True:
+            told = await asyncio.wait_for(self.told.get(), 30)
+            if told.version == self.version:
+                return told.diagnostics
+
+    async def write(self, text):
+        """What is told of a text."""
+        self.send(text)
+        return await self.diagnostics()
+
+    async def hover(self, line, column):
+        params = lsp.HoverParams(self.document, lsp.Position(line, column))
+        found = await self.client.text_document_hover_async(params)
+        return found.contents.value if found is not None else None
+
+    async def definition(self, line, column):
+        params = lsp.DefinitionParams(self.document, lsp.Position(line, column))
+        found = await self.client.text_document_definition_async(params)
+        return [(each.uri, each.range.start.line) for each in found]
+
+    async def repairs(self, where):
+        params = lsp.CodeActionParams(self.document, where, lsp.CodeActionContext([]))
+        return await self.client.text_document_code_action_async(params)
+
+    @property
+    def document(self):
+        return lsp.TextDocumentIdentifier(self.uri)
+
+
+@asynccontextmanager
+async def editing(path):
+    editor = Client(path)
+    await editor.client.start_io(sys.executable, "-m", "rigidtop", "lsp", "--stdio")
+    try:
+        capabilities = lsp.ClientCapabilities()
+        await editor.client.initialize_async(lsp.InitializeParams(capabilities=capabilities))
+        editor.client.initialized(lsp.InitializedParams())
+        yield editor
+        await editor.client.shutdown_async(None)
+        editor.client.exit(None)
+    finally:
+        await editor.client.stop()
+
+
+def marked(text, where):
+    """What stands in a range, whose columns are counted in units of UTF-16."""
+    assert where.start.line == where.end.line
+    line = text.splitlines()[where.start.line].encode("utf-16-le")
+    return line[2 * where.start.character : 2 * where.end.character].decode("utf-16-le")
+
+
+def test_an_editor_is_told_what_the_audit_finds(tmp_path, capsys):
+    path = tmp_path / "bob.md"
+    path.write_text(BOB, "utf-8")
+    assert main(["audit", str(path), "--json"]) == 1
+    rows = json.loads(capsys.readouterr().out)
+
+    async def ask():
+        async with editing(path) as editor:
+            told = await editor.write(BOB)
+            wrong = [(each.range.start.line + 1, each.message.split("\n")[0]) for each in told]
+            assert wrong == [(x["line"], x["note"]) for x in rows if x["passed"] is False]
+            assert [marked(BOB, each.range) for each in told] == [
+                r"l\ddot\theta = g\sin\theta",
+                r"\dot p &= m g l\sin\theta",
+            ]
+            for row in rows:
+                [equation] = row["equations"]
+                start = lsp.Position(row["line"] - 1, equation["column"] - 1)
+                said = await editor.hover(start.line, start.character + 1)
+                assert f": {row['verdict']}" in said
+                assert row["note"] in said
+            assert await editor.hover(0, 0) is None
+            first = told[0].range.start
+            places = await editor.definition(first.line, first.character)
+            assert places == [(path.as_uri(), 2)]
+            assert await editor.definition(0, 0) == []
+
+    asyncio.run(ask())
+
+
+def test_what_a_quick_fix_writes_is_right(tmp_path):
+    async def ask():
+        async with editing(tmp_path / "bob.md") as editor:
+            text = BOB
+            while told := await editor.write(text):
+                [repair] = await editor.repairs(told[0].range)
+                [edit] = repair.edit.changes[editor.uri]
+                lines = Lines(text)
+                start, end = (
+                    lines.position(x.line, x.character) for x in (edit.range.start, edit.range.end)
+                )
+                text = text[:start] + edit.new_text + text[end:]
+            assert text.count("-") == 2
+            assert r"\label{p} \\" in text
+            assert r"\dot{p} &= -m g l \sin \theta. \tag{2}" in text
+
+    asyncio.run(ask())
+
+
+def test_the_newest_text_wins(tmp_path):
+    async def ask():
+        async with editing(tmp_path / "bob.md") as editor:
+            for k in range(5):
+                editor.send(BOB + f"\n$x_{k} = {k}$\n")
+            assert len(await editor.diagnostics()) == 2
+
+    asyncio.run(ask())
+
+
+@pytest.fixture
+def judged(monkeypatch):
+    """The numbers of the statements that are judged."""
+    numbers, judge = [], rigidtop.judge.text.in_time
+
+    def counted(judge_, statement, at, *rest):
+        numbers.append(at.number)
+        return judge(judge_, statement, at, *rest)
+
+    monkeypatch.setattr(rigidtop.judge.text, "in_time", counted)
+    return numbers
+
+
+def outcomes(audit):
+    return [each.record for each in audit.notes.findings]
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "again"),
+    [
+        ("Then $q", "Now then $q", []),
+        (r"\dot p &= m g", r"\dot p &= -m g", [3, 4]),  # it stands in one display with p
+        ("A bob", "The bob", [0, 1, 2, 3, 4]),
+        ("Then $q", r"Then $\dot x = 1$ and $q", [0, 1, 2, 3, 4, 5]),  # x has a rate from now on
+    ],
+)
+def test_what_stands_above_a_change_is_not_judged_again(before, after, again, judged):
+    draft, collection = Draft(Path("bob.md")), built_in()
+    draft.audit(BOB, collection)
+    judged.clear()
+    changed = BOB.replace(before, after)
+    audit = draft.audit(changed, collection)
+    assert judged == again
+    assert outcomes(audit) == outcomes(Draft(Path("bob.md")).audit(changed, collection))
+
+
+def test_an_old_text_is_given_up_and_taken_up_again(judged):
+    draft, collection = Draft(Path("bob.md")), built_in()
+    with pytest.raises(OldTextError):
+        draft.audit(BOB, collection, lambda: len(judged) == 3)
+    assert judged == [0, 1, 2]
+    audit = draft.audit(BOB, collection)
+    assert judged == [0, 1, 2, 2, 3, 4]
+    assert outcomes(audit) == outcomes(Draft(Path("bob.md")).audit(BOB, collection))
+
+
+def test_columns_are_counted_as_the_protocol_says():
+    lines = Lines("a𝜔b\n\nc")
+    assert [lines.place(k) for k in range(7)] == [
+        *((0, 0), (0, 1), (0, 3), (0, 4)),
+        *((1, 0), (2, 0), (2, 1)),
+    ]
+    assert [lines.position(*lines.place(k)) for k in range(7)] == [*range(7)]
+    assert lines.position(0, 99) == 3
+    assert lines.position(9, 0) == lines.position(-1, 2) == 6
+
+
+def test_text_from_elsewhere_is_well_formed():
+    assert well_formed("a\r\nb\rc\0\ud800") == "a\nb\nc\ufffd\ufffd"
