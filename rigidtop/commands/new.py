@@ -18,7 +18,7 @@ A collection is Python and runs as such. What is written passes at once:
   rigidtop new my_course
   rigidtop check my_course/
   rigidtop lecture my_course/ -o out
-  rigidtop new --page my_chapter          # Markdown alone: letters, laws, claims
+  rigidtop new --page my_chapter    # Markdown alone: letters, laws, claims
   rigidtop new --system my_system"""
 
 STARTER = Path(__file__).parents[1] / "starter"

@@ -97,7 +97,8 @@ def test_letters_have_kinds_and_rates_and_units(spring):
 def test_a_wrong_unit_is_told(spring, capsys):
     (spring / "cart.md").write_text(SPRING.replace("| N/m |", "| N |"), "utf-8")
     assert main(["check", f"{spring}/"]) == 1
-    assert "cart.md, line 15: the units disagree: ẍ is in" in " ".join(capsys.readouterr().out.split())
+    told = " ".join(capsys.readouterr().out.split())
+    assert "cart.md, line 15: the units disagree: ẍ is in" in told
 
 
 @pytest.mark.parametrize(

@@ -73,4 +73,4 @@ def test_what_is_printed(printed, asked):
 
 def test_a_sentence_stands_no_deeper_than_its_equation(printed):
     said, equation = printed(["derive", "3.54"])[4:6]
-    assert (said, equation) == ("  Differentiate (3.53) by θ̇:", "    ∂ℒ/∂θ̇ = λ₁θ̇")
+    assert (said, equation) == ("  Differentiate (3.53) with respect to θ̇:", "    ∂ℒ/∂θ̇ = λ₁θ̇")
