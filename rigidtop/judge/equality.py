@@ -145,8 +145,20 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
     fixed = novelties.value(question)
     if fixed is not None:
         return fixed
-    outcome = faults.missing_term(question) or faults.contradiction(question)
+    outcome = (
+        faults.missing_term(question) or faults.contradiction(question) or _worked_out(question)
+    )
     return outcome or Outcome(UNDECIDED, DOES_NOT_FOLLOW), context
+
+
+def _worked_out(question: Question) -> Outcome | None:
+    """A counterexample where something known is worked out; None if it may be a condition.
+
+    What is nearly true is left open.
+    """
+    if not faults.is_settled(question) or approximations.nearly_equal(question) is not None:
+        return None
+    return faults.multiple(question) or faults.refuted(question)
 
 
 def _one_root(question: Question) -> Judgement | None:

@@ -9,14 +9,14 @@ from sympy import Basic, Symbol
 
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import FORCED, LAW, PREMISE, SETTING, Definition
-from rigidtop.judge.faults import slip
+from rigidtop.judge.faults import is_worked_out, slip
 from rigidtop.judge.jets import jet_of, rate
 from rigidtop.judge.laws import LAGRANGIANS, highest, lagrange
 from rigidtop.judge.meaning import Meant, is_vector
 from rigidtop.judge.outcome import DEFINITION, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes
-from rigidtop.judge.sides import own_letters
+from rigidtop.judge.sides import letters_of, own_letters
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
@@ -29,6 +29,8 @@ def letters(question: Question) -> Judgement | None:
     if question.inner and _free_on_the_left(question):
         return None
     new, context = question.new_letters, question.context
+    if new and is_worked_out(question) and not question.moves(*question.gaps):
+        return None  # it holds whatever they are
     kind = SETTING if question.at.supposed else PREMISE
     if not new:
         if not _brings_a_function(question):
@@ -48,8 +50,25 @@ def letters(question: Question) -> Judgement | None:
         if solved is not None:
             definition = Definition(solved, question.at.number, question.at.scope)
             return brings(question, new), context.defining(new[0], definition)
+    square = _square(question)
+    if square is not None:
+        root = Definition(n.Root(question.right), question.at.number, question.at.scope)
+        return brings(question, new), context.defining(square, root)
     known = replace(context, results=context.results | _results(question, new))
     return brings(question, new), known.holding(question.constraint(kind))
+
+
+def _square(question: Question) -> Letter | None:
+    """A new letter of which the square is said to be something that moves.
+
+    It moves with that: were it a constant, all would stand still.
+    """
+    match question.left:
+        case n.Power(Letter() as letter, n.Number("2")) if letter in question.new_letters:
+            moving = {x for x in letters_of(question.gaps[0]) if x in question.moving}
+            free = not is_vector(letter) and not question.at.instant
+            return letter if free and len(moving - {letter}) == 1 else None
+    return None
 
 
 def _names(question: Question, new: Sequence[Letter]) -> bool:
@@ -104,6 +123,8 @@ def _solved(question: Question, letter: Letter) -> Node | None:
         return None
     if question.left == letter:
         return question.right
+    if isinstance(question.left, n.Rate):
+        return None  # what a rate is due to makes things move
     return Meant(-gap.subs(x, 0) / slope)
 
 

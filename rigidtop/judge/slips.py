@@ -174,6 +174,9 @@ def _single(
         case n.Root(of, _):
             yield of, "no root", 3.0
         case n.Quotient(over, under):
+            if isinstance(under, n.Sum):
+                square = n.Power(n.Group(under), Number("2"))
+                yield n.Quotient(over, square), f"{plain(n.Group(under))} squared", 3.0
             yield n.Quotient(under, over), "the fraction turned over", 3.0
 
 
@@ -250,6 +253,8 @@ def _terms(node: Node) -> tuple[Node, ...]:
     match node:
         case n.Sum(terms):
             return terms
+        case n.Root(of) if not isinstance(of, n.Sum):
+            return (of,)
         case n.Tuple(entries):
             return entries
         case n.Matrix(rows):
@@ -312,6 +317,20 @@ def _product(factor: Node, side: Node) -> Node:
     if isinstance(side, n.Product):
         return n.Product((factor, *side.factors))
     return n.Product((factor, n.Group(side) if isinstance(side, n.Sum) else side))
+
+
+def times(factor: Fraction, side: Node) -> Node:
+    """A side times a number, which goes together with one that stands in front."""
+    if factor < 0:
+        return _negated(times(-factor, side))
+    match side:
+        case n.Negative(of):
+            return n.Negative(times(factor, of))
+        case n.Product((n.Number() as first, *rest)):
+            return n.Product((_number(factor * first.value), *rest))
+        case n.Product((n.Quotient(n.Number() as over, n.Number() as under), *rest)):
+            return n.Product((_number(factor * over.value / under.value), *rest))
+    return _product(_number(factor), side)
 
 
 def _bare(term: Node) -> Node:

@@ -230,6 +230,40 @@ x uv = a^2 - b^2
 + M\ddot y = k(x - y)
 - m\ddot y = k(x - y)
 
+# a derivative is worked out
+. a = \frac{Mn}{n^2J + K}
++ \frac{da}{dn} = \frac{M(K - n^2J)}{(n^2J + K)^2}
+- \frac{da}{dn} = \frac{M(K - n^2J)}{n^2J + K}
+x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
+
+# a derivative may vanish, or be nearly equal
+. V = mgl(1 - \cos\theta) - Nl\theta
+? \frac{\partial V}{\partial\theta} = 0
+? \frac{\partial V}{\partial\theta} = mgl\theta - Nl
+
+# a factor below a root
+. q = \sqrt{\frac{2J}{mw}}\sin\theta
++ \frac{\partial q}{\partial J} = \frac{\sin\theta}{\sqrt{2mwJ}}
+- \frac{\partial q}{\partial J} = \frac{\sin\theta}{\sqrt{mwJ}}
+
+# a number times as much in all components
+. I = Ma^2\begin{pmatrix} 2 & -1 \\ -1 & 2\end{pmatrix}
++ I\begin{pmatrix} 1 \\ -1\end{pmatrix} = 3Ma^2\begin{pmatrix} 1 \\ -1\end{pmatrix}
+- I\begin{pmatrix} 1 \\ -1\end{pmatrix} = \frac75Ma^2\begin{pmatrix} 1 \\ -1\end{pmatrix}
+. I\begin{pmatrix} 1 \\ -1\end{pmatrix} = Mb^2\begin{pmatrix} 1 \\ -1\end{pmatrix}
+
+# a characteristic polynomial holds for all its roots
+. K = k\begin{pmatrix} 2 & -1 \\ -1 & 2\end{pmatrix}
++ \det(K - z) = (2k - z)^2 - k^2
+- \det(K - z) = (2k - z)^2 - 2k^2
+
+# what is a function of an angle moves with it
+. w^2 = \frac{4g}{R\sin\alpha}
+. E = \frac12 mR^2w^2\sin^2\alpha + mgR\sin\alpha
+. \dot E = -P
++ \dot\alpha = -\frac{P}{3mgR\cos\alpha}
+- \dot\alpha = -\frac{P}{3mgR\sin\alpha}
+
 # sine and cosine
 . x = l\sin\theta
 + \dot x = l\dot\theta\cos\theta
