@@ -42,7 +42,9 @@ def judged(question: Question) -> Judgement:
             return Outcome(UNDECIDED, "it says nothing"), question.context
         return _always(question) or question.follows()
     if question.is_kept(question.both):
-        return question.follows()
+        path = paths.path_of(question)
+        outcome, context = question.follows()
+        return outcome, context if path is None else context.defining(path.letter, path.definition)
     return _failed(question, holds)
 
 

@@ -416,9 +416,12 @@ class Meaning:
             return self._over_body(node)
         if node.lower is None or node.upper is None or not isinstance(node.by, Letter):
             raise UnclearError("an integral without limits")
-        meaning = self.with_(held=self.held | {node.by})
-        x = meaning.free(node.by) if node.by != Letter("t") else TIME
+        time = node.by == Letter("t")
+        meaning = self if time else self.with_(held=self.held | {node.by})
+        x = TIME if time else meaning.free(node.by)
         integrand = meaning.scalar(node.of)
+        if time and any(jet.letter in self.moving for jet in jets(integrand).values()):
+            raise UnclearError("an integral over time of what is not given as a function of it")
         lower, upper = self.scalar(node.lower), self.scalar(node.upper)
         if integrand.is_polynomial(x):
             return sympy.integrate(sympy.expand(integrand), (x, lower, upper))

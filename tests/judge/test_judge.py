@@ -264,6 +264,26 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 + \dot\alpha = -\frac{P}{3mgR\cos\alpha}
 - \dot\alpha = -\frac{P}{3mgR\sin\alpha}
 
+# an integral over a motion that is found
+. \dot w = -\frac{kg}R
+. w(0) = w_0
++ w = w_0 - \frac{kg}Rt
+. \tau = \frac{Rw_0}{kg}
++ \int_0^\tau w\,dt = \frac{Rw_0^2}{2kg}
+- \int_0^\tau w\,dt = \frac{Rw_0^2}{kg}
+
+# an integral over a motion that is not known
+. \dot w = -\frac{kg}Rw^3
+. \tau = \frac{2R}g
+? \int_0^\tau w\,dt = w\tau
+
+# a number with a unit
+. J = \frac{mga^2\tau^2}{4\pi^2h}
+> Here $m = 2\,\mathrm{kg}$, $a = 0.15\,\mathrm m$, $h = 1.2\,\mathrm m$.
+> Here $\tau = 1.5\,\mathrm s$, $g = 9.81\,\mathrm{m/s^2}$.
++ J = 0.021\,\mathrm{kg\,m^2}
+- J = 0.21\,\mathrm{kg\,m^2}
+
 # sine and cosine
 . x = l\sin\theta
 + \dot x = l\dot\theta\cos\theta
