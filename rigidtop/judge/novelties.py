@@ -10,7 +10,7 @@ from sympy import Basic, Symbol
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import FORCED, LAW, PREMISE, SETTING, Definition
 from rigidtop.judge.faults import is_worked_out, slip
-from rigidtop.judge.jets import jet_of, rate
+from rigidtop.judge.jets import TIME, jet_of, rate
 from rigidtop.judge.laws import LAGRANGIANS, highest, lagrange
 from rigidtop.judge.meaning import Meant, is_vector
 from rigidtop.judge.outcome import DEFINITION, SAMPLED, Outcome
@@ -123,8 +123,8 @@ def _solved(question: Question, letter: Letter) -> Node | None:
         return None
     if question.left == letter:
         return question.right
-    if isinstance(question.left, n.Rate):
-        return None  # what a rate is due to makes things move
+    if isinstance(question.left, n.Rate) or (gap.has(TIME) and question.moves(gap)):
+        return None  # it makes something move, and stays what it is
     return Meant(-gap.subs(x, 0) / slope)
 
 
