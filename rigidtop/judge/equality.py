@@ -8,7 +8,7 @@ from math import inf
 
 from rigidtop.judge import approximations, definitions, faults, novelties, paths, settings
 from rigidtop.judge.faults import NUMBERS
-from rigidtop.judge.laws import LAGRANGIANS, lagrange
+from rigidtop.judge.laws import LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.meaning import UnclearError
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import ASSUMING, DEFINITION, PREMISE, SAMPLED, UNDECIDED, Outcome
@@ -76,7 +76,12 @@ def _always(question: Question) -> Judgement | None:
 
 def _failed(question: Question, holds: bool | None) -> Judgement:
     """What becomes of two sides that are not equal in the worlds so far."""
-    return _excused(question) or _path(question, holds) or _judged_new(question, holds)
+    return (
+        _excused(question)
+        or _canonical(question)
+        or _path(question, holds)
+        or _judged_new(question, holds)
+    )
 
 
 def _excused(question: Question) -> Judgement | None:
@@ -87,6 +92,25 @@ def _excused(question: Question) -> Judgement | None:
         or novelties.force(question)
         or _other_form(question)
     )
+
+
+def _canonical(question: Question) -> Judgement | None:
+    """What follows from Hamilton's equations, or would with another sign or number.
+
+    They are not held against what is said otherwise, as there may be forces besides.
+    """
+    if question.at.closed or question.at.instant or not question.moves(*question.gaps):
+        return None
+    canonical = question.context
+    for each in hamilton(question.context):
+        canonical = canonical.holding(each)
+    if canonical is question.context:
+        return None
+    question = replace(question.within(canonical), asked=None)
+    if question.holds():
+        return question.follows()
+    wrong = faults.slip(question, most=NUMBERS)
+    return (wrong.outcome, canonical) if wrong is not None else None
 
 
 def _path(question: Question, holds: bool | None) -> Judgement | None:

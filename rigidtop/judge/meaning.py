@@ -651,6 +651,8 @@ def _in_space(meaning: Meaning, made: MatrixBase) -> Value:
 
 def _transposed(meaning: Meaning, node: n.Transposed) -> Value:
     value = meaning.value(node.of)
+    if isinstance(n.ungrouped(node.of), n.Tuple):
+        return value  # a row with commas that is turned is the column that we make of it anyway
     return value.T if isinstance(value, MatrixBase) else value
 
 

@@ -121,7 +121,7 @@ def _solved(question: Question, letter: Letter) -> Node | None:
     slope = gap.diff(x)
     if question.at.instant or slope.has(x) or slope == 0:
         return None
-    if question.left == letter:
+    if question.left == letter and slope == 1:
         return question.right
     if isinstance(question.left, n.Rate) or (gap.has(TIME) and question.moves(gap)):
         return None  # it makes something move, and stays what it is
@@ -196,7 +196,7 @@ def value(question: Question) -> Judgement | None:
         return None
     free = _free_on_the_left(question) if said or question.inner else []
     if not free and not question.inner:
-        free = _free_in_premises(question)
+        free = _free_in_premises(question) or _tied(question)
     if not free or not fixes(question, free):
         return None
     fixed = {jet.letter for x in free if (jet := jet_of(x)) is not None}
@@ -226,6 +226,19 @@ def _free_in_premises(question: Question) -> list[Symbol]:
         for x in w.symbols_of([x for pair in question.both for x in pair])
         if x in spoken - other and (jet := jet_of(x)) is not None and jet.letter not in named
     ]
+
+
+def _tied(question: Question) -> list[Symbol]:
+    """A letter on the left that nothing fixes, where what it is said to be comes from it in turn.
+
+    Two such relations are solved together.
+    """
+    letter, context = question.left, question.context
+    free = isinstance(letter, Letter) and letter not in context.definitions.keys() | context.given
+    if not free or letter in question.moving or letter in own_letters(question.right):
+        return []
+    bound = {x for each in question.pool for x in each.expression.free_symbols}
+    return [x for x in [alone(letter)] if x not in bound]  # type: ignore[arg-type]
 
 
 def _free_on_the_left(question: Question) -> list[Symbol]:

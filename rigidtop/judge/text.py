@@ -5,14 +5,14 @@ from __future__ import annotations
 import re
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from math import inf
 from typing import Final
 
 from rigidtop.judge.context import Context, Habits
 from rigidtop.judge.judge import Judge
-from rigidtop.judge.laws import ENERGIES, LAGRANGIANS
+from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS, conjugates
 from rigidtop.judge.meaning import is_component
 from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.situation import Situation
@@ -376,6 +376,32 @@ def _velocities(read: Sequence[Statement]) -> set[Letter]:
     return tied & squared
 
 
+def _conjugate(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
+    """The momenta, and the coordinates, of a Hamiltonian of which the other one moves."""
+    names = [
+        frozenset().union(*map(n.letters, each.sides[1:]))
+        for each in read
+        if each.sides[0] in HAMILTONIANS
+    ]
+    pairs = {pair for each in names for pair in conjugates(each)}
+    return {x for pair in pairs for x in pair if {*pair} & {*moving}}
+
+
+_PLACE = Letter("x")
+
+
+def _curves(read: Sequence[Statement], primed: Collection[Letter]) -> set[Letter]:
+    """The letters with a prime that are given by a place x, as y is in y = c cosh(x/c)."""
+    if _PLACE in primed:
+        return set()  # a prime means other axes
+    return {
+        y
+        for each in read
+        for y in each.sides[:1]
+        if isinstance(y, Letter) and y in primed and _PLACE in n.letters(each.sides[-1])
+    }
+
+
 def habits_of(read: Sequence[Statement]) -> Habits:
     """How a text uses its letters."""
     nodes = [node for each in read for side in each.sides for node in n.walked(side)]
@@ -389,6 +415,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         if isinstance(of, Letter)
     }
     moving |= _velocities(read)
+    moving |= _conjugate(read, moving)
     functions: dict[Letter, tuple[Node, ...]] = {}
     for call in calls:
         function = call.function.of if isinstance(call.function, n.Primed) else call.function
@@ -397,6 +424,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         if call.places != (Letter("t"),) and all(isinstance(x, Letter) for x in call.places):
             functions.setdefault(function, call.places)
     primed = {x.of for x in nodes if isinstance(x, n.Primed) and isinstance(x.of, Letter)}
+    functions |= dict.fromkeys(_curves(read, primed - {*functions} - moving), (_PLACE,))
     twice = any(isinstance(x, n.Primed) and x.order > 1 and x.of not in functions for x in nodes)
     dotted = any(isinstance(x, n.Rate) and x.dotted for x in nodes)
     primes_are_rates = twice and not dotted

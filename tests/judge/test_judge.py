@@ -284,6 +284,51 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 + J = 0.021\,\mathrm{kg\,m^2}
 - J = 0.21\,\mathrm{kg\,m^2}
 
+# a relation in time, and its rate
+. r = a(1 - e\cos E)
+. nt = E - e\sin E
++ \dot E = \frac n{1 - e\cos E}
+- \dot E = \frac n{1 - e\sin E}
++ \dot r = \frac{nae\sin E}{1 - e\cos E}
+- \dot r = \frac{nae\cos E}{1 - e\cos E}
+
+# two relations solved together
+. P = m(v - u)
+. V = \frac PM
+. u = V + wd
++ P = \frac{m(v - wd)}{1 + \frac mM}
+- P = \frac{m(v - wd)}{1 - \frac mM}
+
+# canonical equations
+. H = \frac{p_r^2}{2m} + \frac{K^2}{2mr^2} - \frac cr
++ \dot r = \frac{p_r}m
+- \dot r = -\frac{p_r}m
++ \dot p_r = \frac{K^2}{mr^3} - \frac c{r^2}
+- \dot p_r = \frac{K^2}{mr^3} + \frac c{r^2}
+
+# canonical equations with friction
+. H = \frac{p^2}{2m} + \frac12kx^2
++ \dot x = \frac pm
+. \dot p = -kx - bp
+
+# a prime on a curve
+. y = c\cosh\frac xc
++ y' = \sinh\frac xc
+- y' = c\sinh\frac xc
++ y'' = \frac y{c^2}
+- y'' = \frac y{2c^2}
+
+# a prime on the letter of other axes
+. y = kx
+. x' = x\cos\alpha + y\sin\alpha
+. y' = y\cos\alpha - x\sin\alpha
+
+# a row that is turned
+. I = \begin{pmatrix} A & D \\ D & B\end{pmatrix}
+. w = (u, v)^T
++ w^T I w = Au^2 + 2Duv + Bv^2
+- w^T I w = Au^2 + Duv + Bv^2
+
 # sine and cosine
 . x = l\sin\theta
 + \dot x = l\dot\theta\cos\theta
