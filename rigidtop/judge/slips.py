@@ -132,6 +132,9 @@ def _single(
             if isinstance(of, Letter):
                 twice = n.Apply(name, n.Product((Number("2"), of)))
                 yield twice, f"{plain(twice)} in place of {plain(node)}", 3.0
+        case n.Power(base, exponent) if not isinstance(exponent, Number):
+            words = f"another sign before {plain(_bare(exponent))}"
+            yield n.Power(base, _negated(exponent)), words, 0.3
         case n.Power(base, exponent) if isinstance(exponent, Number):
             for other in (exponent.value + 1, exponent.value - 1):
                 new = base if other == 1 else n.Power(base, _number(other))

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from math import inf
 from typing import Final
 
-from rigidtop.judge.context import Context, Habits
+from rigidtop.judge.context import TIME, Context, Habits
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS, conjugates
 from rigidtop.judge.meaning import is_component
@@ -406,7 +406,9 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     """How a text uses its letters."""
     nodes = [node for each in read for side in each.sides for node in n.walked(side)]
     calls = [x for x in nodes if isinstance(x, n.Call)]
-    timed = {x.function for x in calls if x.places == (Letter("t"),)}
+    running = running_of(read)
+    timed = {x.function for x in calls if x.places == (running,)}
+    timed |= {x.of for x in nodes if isinstance(x, n.Derivative) and x.by == (running,)}
     moving = {x for x in timed if isinstance(x, Letter)} | {
         of
         for x in nodes
@@ -421,7 +423,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         function = call.function.of if isinstance(call.function, n.Primed) else call.function
         if not isinstance(function, Letter) or function in moving:
             continue
-        if call.places != (Letter("t"),) and all(isinstance(x, Letter) for x in call.places):
+        if call.places != (running,) and all(isinstance(x, Letter) for x in call.places):
             functions.setdefault(function, call.places)
     primed = {x.of for x in nodes if isinstance(x, n.Primed) and isinstance(x.of, Letter)}
     functions |= dict.fromkeys(_curves(read, primed - {*functions} - moving), (_PLACE,))
@@ -456,7 +458,32 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         primes_are_rates,
         frozenset(lengths),
         frozenset(vectors),
+        running,
     )
+
+
+def running_of(read: Sequence[Statement]) -> Letter:
+    """The letter with which everything moves: in dS/dφ = μS, of which all S are unknown, it is φ.
+
+    It is the time where that stands anywhere, or a rate.
+    """
+    before: frozenset[Letter] = frozenset()
+    running = set()
+    for each in read:
+        nodes = [node for side in each.sides for node in n.walked(side)]
+        if TIME in nodes or any(isinstance(x, n.Rate) for x in nodes):
+            return TIME
+        running |= {x.by for x in nodes if _is_unknown_slope(x, nodes, before)}
+        before |= frozenset().union(*map(n.letters, each.sides))
+    [by] = running if len(running) == 1 else [(TIME,)]
+    return by[0] if len(by) == 1 and isinstance(by[0], Letter) else TIME
+
+
+def _is_unknown_slope(node: Node, nodes: Sequence[Node], before: Collection[Letter]) -> bool:
+    """Whether it is a slope of what occurs for the first time, and beside it."""
+    if not isinstance(node, n.Derivative) or node.partial or node.of in before:
+        return False
+    return isinstance(node.of, Letter) and nodes.count(node.of) > 1
 
 
 def _is_function(node: Node) -> bool:

@@ -329,6 +329,12 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 + w^T I w = Au^2 + 2Duv + Bv^2
 - w^T I w = Au^2 + Duv + Bv^2
 
+# what runs is an angle
+. \frac{dS}{d\phi} = \mu S
+. S(0) = S_0
++ S = S_0e^{\mu\phi}
+- S = S_0e^{-\mu\phi}
+
 # sine and cosine
 . x = l\sin\theta
 + \dot x = l\dot\theta\cos\theta
