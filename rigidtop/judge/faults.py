@@ -349,7 +349,7 @@ def is_settled(question: Question) -> bool:
 
     Sides of which one is always the same multiple of the other are never equal.
     """
-    if not question.worlds.count or question.path is not None or question.at.instant:
+    if question.worlds.count < FEWEST or question.path is not None or question.at.instant:
         return False
     if isinstance(question.left, Letter) or question.right == ZERO:
         return False

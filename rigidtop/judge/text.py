@@ -463,7 +463,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
 
 
 def running_of(read: Sequence[Statement]) -> Letter:
-    """The letter with which everything moves: in dS/dφ = μS, of which all S are unknown, it is φ.
+    """The letter with which everything moves: φ, if dS/dφ = μS is the first that is said of S.
 
     It is the time where that stands anywhere, or a rate.
     """
@@ -473,17 +473,16 @@ def running_of(read: Sequence[Statement]) -> Letter:
         nodes = [node for side in each.sides for node in n.walked(side)]
         if TIME in nodes or any(isinstance(x, n.Rate) for x in nodes):
             return TIME
-        running |= {x.by for x in nodes if _is_unknown_slope(x, nodes, before)}
+        slopes = [x for x in nodes if isinstance(x, n.Derivative) and not x.partial]
+        running |= {x.by for x in slopes if _is_unknown(x.of, before) and nodes.count(x.of) > 1}
         before |= frozenset().union(*map(n.letters, each.sides))
     [by] = running if len(running) == 1 else [(TIME,)]
     return by[0] if len(by) == 1 and isinstance(by[0], Letter) else TIME
 
 
-def _is_unknown_slope(node: Node, nodes: Sequence[Node], before: Collection[Letter]) -> bool:
-    """Whether it is a slope of what occurs for the first time, and beside it."""
-    if not isinstance(node, n.Derivative) or node.partial or node.of in before:
-        return False
-    return isinstance(node.of, Letter) and nodes.count(node.of) > 1
+def _is_unknown(node: Node, before: Collection[Letter]) -> bool:
+    """Whether it is a letter that occurs for the first time."""
+    return isinstance(node, Letter) and node not in before
 
 
 def _is_function(node: Node) -> bool:
