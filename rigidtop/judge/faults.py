@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -141,6 +141,10 @@ def _says_something(question: Question, change: Change) -> bool:
         return False  # x = x says nothing
     if _is_exchanged(question, change) or _is_renamed(question, change):
         return False
+    if any(
+        _is_idle(x, question.moving) for side in (change.left, change.right) for x in n.walked(side)
+    ):
+        return False
     letter, _ = named(question.left)
     if question.at.inline and letter is not None and change.left != question.left:
         return False  # words that name a letter do not mistake it
@@ -150,6 +154,13 @@ def _says_something(question: Question, change: Change) -> bool:
     # A chain may not end with what it begins with.
     ends = isinstance(question.right, Letter) and change.right == question.context.head
     return not ends
+
+
+def _is_idle(node: Node, moving: Collection[Letter]) -> bool:
+    """Whether it is zero as it is written: r − r, or the rate of what does not move."""
+    if isinstance(node, n.Sum):
+        return any(n.Negative(term) in node.terms for term in node.terms)
+    return isinstance(node, n.Rate) and isinstance(node.of, Letter) and node.of not in moving
 
 
 def _is_renamed(question: Question, change: Change) -> bool:
