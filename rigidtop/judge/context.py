@@ -70,7 +70,7 @@ class Habits:
     `moving` are those that have a rate somewhere, `functions` those that are written with a place
     behind them, `indices` count particles; `own` are i and e where the text makes them letters, and
     `lengths` are letters that stand for the length of the vector of that name, and `vectors` are
-    those without an index.
+    those without an index. Everything moves with `running`, the time where nothing else is said.
     """
 
     moving: frozenset[Letter] = frozenset()
@@ -80,6 +80,7 @@ class Habits:
     primes_are_rates: bool = False
     lengths: frozenset[Letter] = frozenset()
     vectors: frozenset[Letter] = frozenset()
+    running: Letter = TIME
 
 
 @dataclass(frozen=True, eq=False)

@@ -28,6 +28,8 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     context, habits = question.context, question.context.habits
     if letter == Letter("π") and letter not in habits.own:
         return None
+    if isinstance(name, n.Primed) and name.of in {*context.definitions} & {*habits.functions}:
+        return None  # a derivative of what is known
     letter = question.meaning().named(letter)
     index = next((x for x in habits.indices if letter.sub == x), "")
     if letter in context.definitions and not _only_names(question, letter):

@@ -8,7 +8,7 @@ from math import inf
 
 from rigidtop.judge import approximations, definitions, faults, novelties, paths, settings
 from rigidtop.judge.faults import NUMBERS
-from rigidtop.judge.laws import LAGRANGIANS, lagrange
+from rigidtop.judge.laws import LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.meaning import UnclearError
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import ASSUMING, DEFINITION, PREMISE, SAMPLED, UNDECIDED, Outcome
@@ -42,7 +42,9 @@ def judged(question: Question) -> Judgement:
             return Outcome(UNDECIDED, "it says nothing"), question.context
         return _always(question) or question.follows()
     if question.is_kept(question.both):
-        return question.follows()
+        path = paths.path_of(question)
+        outcome, context = question.follows()
+        return outcome, context if path is None else context.defining(path.letter, path.definition)
     return _failed(question, holds)
 
 
@@ -74,7 +76,12 @@ def _always(question: Question) -> Judgement | None:
 
 def _failed(question: Question, holds: bool | None) -> Judgement:
     """What becomes of two sides that are not equal in the worlds so far."""
-    return _excused(question) or _path(question, holds) or _judged_new(question, holds)
+    return (
+        _excused(question)
+        or _canonical(question)
+        or _path(question, holds)
+        or _judged_new(question, holds)
+    )
 
 
 def _excused(question: Question) -> Judgement | None:
@@ -85,6 +92,25 @@ def _excused(question: Question) -> Judgement | None:
         or novelties.force(question)
         or _other_form(question)
     )
+
+
+def _canonical(question: Question) -> Judgement | None:
+    """What follows from Hamilton's equations, or would with another sign or number.
+
+    They are not held against what is said otherwise, as there may be forces besides.
+    """
+    if question.at.closed or question.at.instant or not question.moves(*question.gaps):
+        return None
+    canonical = question.context
+    for each in hamilton(question.context):
+        canonical = canonical.holding(each)
+    if canonical is question.context:
+        return None
+    question = replace(question.within(canonical), asked=None)
+    if question.holds():
+        return question.follows()
+    wrong = faults.slip(question, most=NUMBERS)
+    return (wrong.outcome, canonical) if wrong is not None else None
 
 
 def _path(question: Question, holds: bool | None) -> Judgement | None:
@@ -145,8 +171,20 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
     fixed = novelties.value(question)
     if fixed is not None:
         return fixed
-    outcome = faults.missing_term(question) or faults.contradiction(question)
+    outcome = (
+        faults.missing_term(question) or faults.contradiction(question) or _worked_out(question)
+    )
     return outcome or Outcome(UNDECIDED, DOES_NOT_FOLLOW), context
+
+
+def _worked_out(question: Question) -> Outcome | None:
+    """A counterexample where something known is worked out; None if it may be a condition.
+
+    What is nearly true is left open.
+    """
+    if not faults.is_settled(question) or approximations.nearly_equal(question) is not None:
+        return None
+    return faults.multiple(question) or faults.refuted(question)
 
 
 def _one_root(question: Question) -> Judgement | None:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from math import inf
 
 import numpy as np
@@ -23,7 +24,7 @@ from rigidtop.judge.outcome import FALSE, Outcome
 from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.question import Pair, Question, paired
 from rigidtop.judge.sides import ZERO, entries, letters_of, named, own_letters
-from rigidtop.judge.slips import Change, changes
+from rigidtop.judge.slips import Change, changes, times
 from rigidtop.judge.worlds import Worlds
 from rigidtop.judge.written import written
 from rigidtop.tree import nodes as n
@@ -140,6 +141,10 @@ def _says_something(question: Question, change: Change) -> bool:
         return False  # x = x says nothing
     if _is_exchanged(question, change) or _is_renamed(question, change):
         return False
+    if any(
+        _is_idle(x, question.moving) for side in (change.left, change.right) for x in n.walked(side)
+    ):
+        return False
     letter, _ = named(question.left)
     if question.at.inline and letter is not None and change.left != question.left:
         return False  # words that name a letter do not mistake it
@@ -149,6 +154,13 @@ def _says_something(question: Question, change: Change) -> bool:
     # A chain may not end with what it begins with.
     ends = isinstance(question.right, Letter) and change.right == question.context.head
     return not ends
+
+
+def _is_idle(node: Node, moving: Collection[Letter]) -> bool:
+    """Whether it is zero as it is written: r − r, or the rate of what does not move."""
+    if isinstance(node, n.Sum):
+        return any(n.Negative(term) in node.terms for term in node.terms)
+    return isinstance(node, n.Rate) and isinstance(node.of, Letter) and node.of not in moving
 
 
 def _is_renamed(question: Question, change: Change) -> bool:
@@ -338,6 +350,80 @@ def _holds_with(question: Question, letter: Letter, definition: Definition, node
         return other.holds()
     except UnclearError:
         return False
+
+
+# --- What is worked out ---------------------------------------------------------------------------
+
+
+def is_settled(question: Question) -> bool:
+    """Whether its sides can only be equal for all letters, or for none.
+
+    Sides of which one is always the same multiple of the other are never equal.
+    """
+    if question.worlds.count < FEWEST or question.path is not None or question.at.instant:
+        return False
+    if isinstance(question.left, Letter) or question.right == ZERO:
+        return False
+    return _ratio(question) is not None or (is_worked_out(question) and not question.inner)
+
+
+def is_worked_out(question: Question) -> bool:
+    """Whether a derivative, a determinant or an integral is worked out in its own letters.
+
+    It is no condition for these, as one that is to vanish is.
+    """
+    left, right = question.left, question.right
+    asks = any(isinstance(x, _OPERATIONS) or _is_determinant(x) for x in n.walked(left))
+    before = {x for pair in question.both for x in letters_of(pair[0])}
+    behind = {x for pair in question.both for x in letters_of(pair[1])}
+    return asks and bool(own_letters(right)) and behind <= before
+
+
+_OPERATIONS = (n.Derivative, n.Integral)
+
+
+def _is_determinant(node: Node) -> bool:
+    bars = isinstance(node, n.Matrix) and node.bracket == "|" and len(node.rows) > 1
+    return bars or (isinstance(node, n.Apply) and node.name == "det")
+
+
+def multiple(question: Question) -> Outcome | None:
+    """By which simple number the right side has to be multiplied, in all worlds alike."""
+    ratio = _ratio(question)
+    if ratio is None:
+        return None
+    factor = Fraction(ratio).limit_denominator(LARGEST_OF_A_FRACTION)
+    if abs(ratio - factor) > w.CLOSE * abs(ratio):
+        return None
+    right = times(factor, question.right)
+    words = f"{factor} times as much"
+    line = f"{latex(question.left)} = {latex(right)}"
+    return Outcome(FALSE, f"it holds with {words}", question.rests_on, words, line)
+
+
+def _ratio(question: Question) -> float | None:
+    """The left side over the right one, where that is the same number in all worlds, but not 1."""
+    both = [pair for pair in question.both if pair != (0, 0)]
+    try:
+        values = question.worlds.program.values([x for pair in both for x in pair]).values
+    except UnknownFunctionError:
+        return None
+    with np.errstate(all="ignore"):
+        ratios = values[::2] / values[1::2]
+    if not ratios.size or not np.isfinite(ratios).all():
+        return None
+    first = ratios.flat[0]
+    alike = (abs(ratios - first) <= w.CLOSE * abs(first)).all() and not abs(first.imag) > w.CLOSE
+    return (
+        float(first.real) if alike and abs(first) > ROUNDED and abs(first - 1) > ROUNDED else None
+    )
+
+
+LARGEST_OF_A_FRACTION = 100
+"""A number of a text is a fraction of no larger numbers."""
+
+ROUNDED = 0.05
+"""A number that is given with few digits is nearer to what it stands for."""
 
 
 # --- A counterexample ----------------------------------------------------------------------------

@@ -33,7 +33,7 @@ from rigidtop.judge.meaning import (
     particles,
     plain,
 )
-from rigidtop.tree.nodes import Letter
+from rigidtop.tree.nodes import Derivative, Letter, Negative, Rate, letters
 
 MULTIPLIERS = frozenset({"λ", "μ", "Λ"})
 """Letters that are multipliers where a Lagrangian is linear in them."""
@@ -229,6 +229,37 @@ def lagrange(
         if gap != 0 and gap.count_ops() <= LARGEST and not forced:
             made.append(Residual(gap, used, LAW))
     return made
+
+
+HAMILTONIANS = (Letter("H"), Letter("ℋ"), Letter("𝓗"))
+
+
+def hamilton(context: Context) -> list[Constraint]:
+    """Hamilton's equations for each momentum of a Hamiltonian: q̇ = ∂H/∂p and ṗ = −∂H/∂q."""
+    function = next((x for x in HAMILTONIANS if x in context.definitions), None)
+    if function is None or context.lawless:
+        return []
+    definition = context.definitions[function]
+    free = letters(definition.node) - context.definitions.keys()
+    made = []
+    for q, p in conjugates(free & context.habits.moving):
+        both = (q, Derivative(function, (p,))), (p, Negative(Derivative(function, (q,))))
+        made += [
+            Constraint(Rate(x, 1, True), is_, definition.number, LAW, definition.scope)
+            for x, is_ in both
+        ]
+    return made
+
+
+def conjugates(names: frozenset[Letter]) -> list[tuple[Letter, Letter]]:
+    """Coordinates with their momenta, by their names: q and p, x and p, θ and p_θ, q₁ and p₁."""
+    pairs = [
+        (q, p)
+        for p in sorted(names, key=str)
+        for q in (Letter(p.sub), Letter("q", p.sub), Letter("x", p.sub))
+        if p.base == "p" and q in names
+    ]
+    return pairs if len({p for _, p in pairs}) == len(pairs) else []
 
 
 def _in_rates(

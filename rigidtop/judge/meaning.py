@@ -153,10 +153,10 @@ class Meaning:
             return sympy.pi
         if letter == Letter("i") and letter not in self.context.habits.own:
             return sympy.I
-        if letter == Letter("t"):
+        if letter == self.context.habits.running:
             return TIME
         places = self.context.habits.functions.get(letter)
-        if places is not None and not _is_time(places):
+        if places is not None and not self._is_time(places):
             return self._unknown(letter, places)
         component = self.component(letter)
         if component is not None:
@@ -250,6 +250,9 @@ class Meaning:
                         return value[names.index(letter.sub)]
         return None
 
+    def _is_time(self, places: Sequence[Node]) -> bool:
+        return list(places) == [self.context.habits.running]
+
     # --- functions and derivatives ---------------------------------------------------------------
 
     def call(self, node: n.Call) -> Value:
@@ -260,7 +263,7 @@ class Meaning:
             function = function.of
         if not isinstance(function, Letter):
             raise UnclearError("a function that is no letter")
-        if _is_time(places):
+        if self._is_time(places):
             return self._differentiated(self.letter(function), order)
         definition = self.definition(function)
         usual = (definition.places if definition else ()) or self.context.habits.functions.get(
@@ -305,7 +308,7 @@ class Meaning:
         if isinstance(of, Letter):
             marked = replace(of, mark=of.mark + "′" * node.order)
             places = self.context.habits.functions.get(of, ())
-            if places and not _is_time(places):
+            if places and not self._is_time(places):
                 return self._slope(self._held_for(of).letter(of), places, node.order)
             if self.context.habits.primes_are_rates and of in self.moving:
                 return self._differentiated(self.letter(of), node.order)
@@ -348,7 +351,11 @@ class Meaning:
         if isinstance(of, Letter):
             meaning = meaning._held_for(of)
         value = meaning.value(of)
-        if isinstance(of, Letter) and value == self.free(of) and not {of, *by} <= self.moving:
+        if (
+            isinstance(of, Letter)
+            and value == self.free(of)
+            and not {of, *by} <= self.moving | {self.context.habits.running}
+        ):
             raise UnclearError(f"nothing says what {of.base} is")
         return value, meaning
 
@@ -416,9 +423,12 @@ class Meaning:
             return self._over_body(node)
         if node.lower is None or node.upper is None or not isinstance(node.by, Letter):
             raise UnclearError("an integral without limits")
-        meaning = self.with_(held=self.held | {node.by})
-        x = meaning.free(node.by) if node.by != Letter("t") else TIME
+        time = node.by == self.context.habits.running
+        meaning = self if time else self.with_(held=self.held | {node.by})
+        x = TIME if time else meaning.free(node.by)
         integrand = meaning.scalar(node.of)
+        if time and any(jet.letter in self.moving for jet in jets(integrand).values()):
+            raise UnclearError("an integral over time of what is not given as a function of it")
         lower, upper = self.scalar(node.lower), self.scalar(node.upper)
         if integrand.is_polynomial(x):
             return sympy.integrate(sympy.expand(integrand), (x, lower, upper))
@@ -648,6 +658,8 @@ def _in_space(meaning: Meaning, made: MatrixBase) -> Value:
 
 def _transposed(meaning: Meaning, node: n.Transposed) -> Value:
     value = meaning.value(node.of)
+    if isinstance(n.ungrouped(node.of), n.Tuple):
+        return value  # a row with commas that is turned is the column that we make of it anyway
     return value.T if isinstance(value, MatrixBase) else value
 
 
@@ -679,7 +691,7 @@ def _at(meaning: Meaning, node: n.At) -> Value:
     value = meaning.value(node.of)
     if node.letter is None or node.value is None:
         raise UnclearError("a value at a place that is no equation")
-    if node.letter == Letter("t"):
+    if node.letter == meaning.context.habits.running:
         return meaning._at_time(value, node.value)
     if node.letter in meaning.moving and any(jet.order for jet in jets(value).values()):
         raise UnclearError(f"a rate where {node.letter.base} has a value")
@@ -850,10 +862,6 @@ def _basis(letter: Letter) -> MatrixBase | None:
             if letter.sub in names and letter.mark in ("", "hat"):
                 return ImmutableMatrix([int(letter.sub == x) for x in names])
     return None
-
-
-def _is_time(places: Sequence[Node]) -> bool:
-    return list(places) == [Letter("t")]
 
 
 def _by(value: Value, place: Expr) -> Value:

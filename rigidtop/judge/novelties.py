@@ -9,14 +9,14 @@ from sympy import Basic, Symbol
 
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import FORCED, LAW, PREMISE, SETTING, Definition
-from rigidtop.judge.faults import slip
-from rigidtop.judge.jets import jet_of, rate
+from rigidtop.judge.faults import is_worked_out, slip
+from rigidtop.judge.jets import TIME, jet_of, rate
 from rigidtop.judge.laws import LAGRANGIANS, highest, lagrange
 from rigidtop.judge.meaning import Meant, is_vector
 from rigidtop.judge.outcome import DEFINITION, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes
-from rigidtop.judge.sides import own_letters
+from rigidtop.judge.sides import letters_of, own_letters
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
@@ -29,6 +29,8 @@ def letters(question: Question) -> Judgement | None:
     if question.inner and _free_on_the_left(question):
         return None
     new, context = question.new_letters, question.context
+    if new and is_worked_out(question) and not question.moves(*question.gaps):
+        return None  # it holds whatever they are
     kind = SETTING if question.at.supposed else PREMISE
     if not new:
         if not _brings_a_function(question):
@@ -48,8 +50,25 @@ def letters(question: Question) -> Judgement | None:
         if solved is not None:
             definition = Definition(solved, question.at.number, question.at.scope)
             return brings(question, new), context.defining(new[0], definition)
+    square = _square(question)
+    if square is not None:
+        root = Definition(n.Root(question.right), question.at.number, question.at.scope)
+        return brings(question, new), context.defining(square, root)
     known = replace(context, results=context.results | _results(question, new))
     return brings(question, new), known.holding(question.constraint(kind))
+
+
+def _square(question: Question) -> Letter | None:
+    """A new letter of which the square is said to be something that moves.
+
+    It moves with that: were it a constant, all would stand still.
+    """
+    match question.left:
+        case n.Power(Letter() as letter, n.Number("2")) if letter in question.new_letters:
+            moving = {x for x in letters_of(question.gaps[0]) if x in question.moving}
+            free = not is_vector(letter) and not question.at.instant
+            return letter if free and len(moving - {letter}) == 1 else None
+    return None
 
 
 def _names(question: Question, new: Sequence[Letter]) -> bool:
@@ -102,8 +121,10 @@ def _solved(question: Question, letter: Letter) -> Node | None:
     slope = gap.diff(x)
     if question.at.instant or slope.has(x) or slope == 0:
         return None
-    if question.left == letter:
+    if question.left == letter and slope == 1:
         return question.right
+    if isinstance(question.left, n.Rate) or (gap.has(TIME) and question.moves(gap)):
+        return None  # it makes something move, and stays what it is
     return Meant(-gap.subs(x, 0) / slope)
 
 
@@ -175,7 +196,7 @@ def value(question: Question) -> Judgement | None:
         return None
     free = _free_on_the_left(question) if said or question.inner else []
     if not free and not question.inner:
-        free = _free_in_premises(question)
+        free = _free_in_premises(question) or _tied(question)
     if not free or not fixes(question, free):
         return None
     fixed = {jet.letter for x in free if (jet := jet_of(x)) is not None}
@@ -205,6 +226,19 @@ def _free_in_premises(question: Question) -> list[Symbol]:
         for x in w.symbols_of([x for pair in question.both for x in pair])
         if x in spoken - other and (jet := jet_of(x)) is not None and jet.letter not in named
     ]
+
+
+def _tied(question: Question) -> list[Symbol]:
+    """A letter on the left that nothing fixes, where what it is said to be comes from it in turn.
+
+    Two such relations are solved together.
+    """
+    letter, context = question.left, question.context
+    free = isinstance(letter, Letter) and letter not in context.definitions.keys() | context.given
+    if not free or letter in question.moving or letter in own_letters(question.right):
+        return []
+    bound = {x for each in question.pool for x in each.expression.free_symbols}
+    return [x for x in [alone(letter)] if x not in bound]  # type: ignore[arg-type]
 
 
 def _free_on_the_left(question: Question) -> list[Symbol]:

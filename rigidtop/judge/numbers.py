@@ -14,6 +14,7 @@ from rigidtop.judge.outcome import FALSE, SAMPLED, UNDECIDED, Outcome
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Node
+from rigidtop.tree.plain import plain as in_words
 
 
 def are_numbers(left: Expr, right: Expr) -> bool:
@@ -48,9 +49,23 @@ def compared(
         return Outcome(SAMPLED, "", rests_on)
     if None in answers:
         return Outcome(UNDECIDED, "the units of both sides do not fit", rests_on)
-    value = rounded(meant[0][0], right)
-    why = f"the left side is {value}"
-    return Outcome(FALSE, why, rests_on, "another number", f"{latex(left)} ≈ {value}")
+    value = _like(*meant[0], right)
+    why = f"the left side is {in_words(value)}"
+    return Outcome(FALSE, why, rests_on, "another number", f"{latex(left)} ≈ {latex(value)}")
+
+
+def _like(value: Expr, other: Expr, like: Node) -> Node:
+    """A number as another one is written, in its unit and with as many digits."""
+    match like:
+        case n.Product((n.Number() as number, *units)) if other and not n.letters(like):
+            share_of_it = sympy.simplify(value / other) * sympy.sympify(number.text)
+            return n.Product((_signed(rounded(share_of_it, like)), *units))
+    return _signed(rounded(value, like))
+
+
+def _signed(text: str) -> Node:
+    number = n.Number(text.lstrip("-"))
+    return n.Negative(number) if text.startswith("-") else number
 
 
 def share(node: Node, nearly: bool = False) -> float:
@@ -83,8 +98,8 @@ def rounded(value: Expr, like: Node) -> str:
     """A number with as many digits as another one is written with, its units aside."""
     off = share(like)
     figures = max(2, len(f"{1 / off:.0f}")) if off else 3
-    number = value.as_coeff_Mul()[0] if value.free_symbols else value
-    return f"{float(sympy.N(number)):.{figures}g}"
+    number, _ = sympy.N(value).as_coeff_Mul()
+    return f"{float(number):.{figures}g}"
 
 
 def _exponent(text: str) -> int:

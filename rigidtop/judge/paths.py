@@ -32,7 +32,7 @@ def path_of(question: Question) -> Path | None:
     before = context.forgetting(letter)
     at = question.at
     definition = Definition(question.right, at.number, at.scope, motion=True)
-    return Path(letter, value, before, before.defining(letter, definition))
+    return Path(letter, value, before, definition)
 
 
 def laws(question: Question) -> list[Residual]:

@@ -11,7 +11,7 @@ from functools import cached_property
 from sympy import Expr
 
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import SETTING, Constraint, Context
+from rigidtop.judge.context import SETTING, Constraint, Context, Definition
 from rigidtop.judge.jets import Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import Residual, moved, residuals, surrounding
 from rigidtop.judge.meaning import (
@@ -100,7 +100,12 @@ class Path:
     letter: Letter
     value: Expr
     before: Context
-    context: Context
+    definition: Definition
+
+    @property
+    def context(self) -> Context:
+        """What is known with it."""
+        return self.before.defining(self.letter, self.definition)
 
 
 @dataclass(frozen=True, eq=False)

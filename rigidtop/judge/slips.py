@@ -132,6 +132,9 @@ def _single(
             if isinstance(of, Letter):
                 twice = n.Apply(name, n.Product((Number("2"), of)))
                 yield twice, f"{plain(twice)} in place of {plain(node)}", 3.0
+        case n.Power(base, exponent) if not isinstance(exponent, Number):
+            words = f"another sign before {plain(_bare(exponent))}"
+            yield n.Power(base, _negated(exponent)), words, 0.3
         case n.Power(base, exponent) if isinstance(exponent, Number):
             for other in (exponent.value + 1, exponent.value - 1):
                 new = base if other == 1 else n.Power(base, _number(other))
@@ -174,6 +177,9 @@ def _single(
         case n.Root(of, _):
             yield of, "no root", 3.0
         case n.Quotient(over, under):
+            if isinstance(under, n.Sum):
+                square = n.Power(n.Group(under), Number("2"))
+                yield n.Quotient(over, square), f"{plain(n.Group(under))} squared", 3.0
             yield n.Quotient(under, over), "the fraction turned over", 3.0
 
 
@@ -250,6 +256,8 @@ def _terms(node: Node) -> tuple[Node, ...]:
     match node:
         case n.Sum(terms):
             return terms
+        case n.Root(of) if not isinstance(of, n.Sum):
+            return (of,)
         case n.Tuple(entries):
             return entries
         case n.Matrix(rows):
@@ -312,6 +320,20 @@ def _product(factor: Node, side: Node) -> Node:
     if isinstance(side, n.Product):
         return n.Product((factor, *side.factors))
     return n.Product((factor, n.Group(side) if isinstance(side, n.Sum) else side))
+
+
+def times(factor: Fraction, side: Node) -> Node:
+    """A side times a number, which goes together with one that stands in front."""
+    if factor < 0:
+        return _negated(times(-factor, side))
+    match side:
+        case n.Negative(of):
+            return n.Negative(times(factor, of))
+        case n.Product((n.Number() as first, *rest)):
+            return n.Product((_number(factor * first.value), *rest))
+        case n.Product((n.Quotient(n.Number() as over, n.Number() as under), *rest)):
+            return n.Product((_number(factor * over.value / under.value), *rest))
+    return _product(_number(factor), side)
 
 
 def _bare(term: Node) -> Node:

@@ -5,15 +5,15 @@ from __future__ import annotations
 import re
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import inf
 from typing import Final
 
-from rigidtop.judge.context import Context, Habits
+from rigidtop.judge.context import TIME, Context, Habits
 from rigidtop.judge.judge import Judge
-from rigidtop.judge.laws import ENERGIES, LAGRANGIANS
+from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS, conjugates
 from rigidtop.judge.meaning import is_component
 from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
@@ -458,11 +458,39 @@ def _velocities(read: Sequence[Statement]) -> set[Letter]:
     return tied & squared
 
 
+def _conjugate(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
+    """The momenta, and the coordinates, of a Hamiltonian of which the other one moves."""
+    names = [
+        frozenset().union(*map(n.letters, each.sides[1:]))
+        for each in read
+        if each.sides[0] in HAMILTONIANS
+    ]
+    pairs = {pair for each in names for pair in conjugates(each)}
+    return {x for pair in pairs for x in pair if {*pair} & {*moving}}
+
+
+_PLACE = Letter("x")
+
+
+def _curves(read: Sequence[Statement], primed: Collection[Letter]) -> set[Letter]:
+    """The letters with a prime that are given by a place x, as y is in y = c cosh(x/c)."""
+    if _PLACE in primed:
+        return set()  # a prime means other axes
+    return {
+        y
+        for each in read
+        for y in each.sides[:1]
+        if isinstance(y, Letter) and y in primed and _PLACE in n.letters(each.sides[-1])
+    }
+
+
 def habits_of(read: Sequence[Statement]) -> Habits:
     """How a text uses its letters."""
     nodes = [node for each in read for side in each.sides for node in n.walked(side)]
     calls = [x for x in nodes if isinstance(x, n.Call)]
-    timed = {x.function for x in calls if x.places == (Letter("t"),)}
+    running = running_of(read)
+    timed = {x.function for x in calls if x.places == (running,)}
+    timed |= {x.of for x in nodes if isinstance(x, n.Derivative) and x.by == (running,)}
     moving = {x for x in timed if isinstance(x, Letter)} | {
         of
         for x in nodes
@@ -471,14 +499,16 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         if isinstance(of, Letter)
     }
     moving |= _velocities(read)
+    moving |= _conjugate(read, moving)
     functions: dict[Letter, tuple[Node, ...]] = {}
     for call in calls:
         function = call.function.of if isinstance(call.function, n.Primed) else call.function
         if not isinstance(function, Letter) or function in moving:
             continue
-        if call.places != (Letter("t"),) and all(isinstance(x, Letter) for x in call.places):
+        if call.places != (running,) and all(isinstance(x, Letter) for x in call.places):
             functions.setdefault(function, call.places)
     primed = {x.of for x in nodes if isinstance(x, n.Primed) and isinstance(x.of, Letter)}
+    functions |= dict.fromkeys(_curves(read, primed - {*functions} - moving), (_PLACE,))
     twice = any(isinstance(x, n.Primed) and x.order > 1 and x.of not in functions for x in nodes)
     dotted = any(isinstance(x, n.Rate) and x.dotted for x in nodes)
     primes_are_rates = twice and not dotted
@@ -510,7 +540,31 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         primes_are_rates,
         frozenset(lengths),
         frozenset(vectors),
+        running,
     )
+
+
+def running_of(read: Sequence[Statement]) -> Letter:
+    """The letter with which everything moves: φ, if dS/dφ = μS is the first that is said of S.
+
+    It is the time where that stands anywhere, or a rate.
+    """
+    before: frozenset[Letter] = frozenset()
+    running = set()
+    for each in read:
+        nodes = [node for side in each.sides for node in n.walked(side)]
+        if TIME in nodes or any(isinstance(x, n.Rate) for x in nodes):
+            return TIME
+        slopes = [x for x in nodes if isinstance(x, n.Derivative) and not x.partial]
+        running |= {x.by for x in slopes if _is_unknown(x.of, before) and nodes.count(x.of) > 1}
+        before |= frozenset().union(*map(n.letters, each.sides))
+    [by] = running if len(running) == 1 else [(TIME,)]
+    return by[0] if len(by) == 1 and isinstance(by[0], Letter) else TIME
+
+
+def _is_unknown(node: Node, before: Collection[Letter]) -> bool:
+    """Whether it is a letter that occurs for the first time."""
+    return isinstance(node, Letter) and node not in before
 
 
 def _is_function(node: Node) -> bool:

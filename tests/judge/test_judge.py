@@ -230,6 +230,111 @@ x uv = a^2 - b^2
 + M\ddot y = k(x - y)
 - m\ddot y = k(x - y)
 
+# a derivative is worked out
+. a = \frac{Mn}{n^2J + K}
++ \frac{da}{dn} = \frac{M(K - n^2J)}{(n^2J + K)^2}
+- \frac{da}{dn} = \frac{M(K - n^2J)}{n^2J + K}
+x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
+
+# a derivative may vanish, or be nearly equal
+. V = mgl(1 - \cos\theta) - Nl\theta
+? \frac{\partial V}{\partial\theta} = 0
+? \frac{\partial V}{\partial\theta} = mgl\theta - Nl
+
+# a factor below a root
+. q = \sqrt{\frac{2J}{mw}}\sin\theta
++ \frac{\partial q}{\partial J} = \frac{\sin\theta}{\sqrt{2mwJ}}
+- \frac{\partial q}{\partial J} = \frac{\sin\theta}{\sqrt{mwJ}}
+
+# a number times as much in all components
+. I = Ma^2\begin{pmatrix} 2 & -1 \\ -1 & 2\end{pmatrix}
++ I\begin{pmatrix} 1 \\ -1\end{pmatrix} = 3Ma^2\begin{pmatrix} 1 \\ -1\end{pmatrix}
+- I\begin{pmatrix} 1 \\ -1\end{pmatrix} = \frac75Ma^2\begin{pmatrix} 1 \\ -1\end{pmatrix}
+. I\begin{pmatrix} 1 \\ -1\end{pmatrix} = Mb^2\begin{pmatrix} 1 \\ -1\end{pmatrix}
+
+# a characteristic polynomial holds for all its roots
+. K = k\begin{pmatrix} 2 & -1 \\ -1 & 2\end{pmatrix}
++ \det(K - z) = (2k - z)^2 - k^2
+- \det(K - z) = (2k - z)^2 - 2k^2
+
+# what is a function of an angle moves with it
+. w^2 = \frac{4g}{R\sin\alpha}
+. E = \frac12 mR^2w^2\sin^2\alpha + mgR\sin\alpha
+. \dot E = -P
++ \dot\alpha = -\frac{P}{3mgR\cos\alpha}
+- \dot\alpha = -\frac{P}{3mgR\sin\alpha}
+
+# an integral over a motion that is found
+. \dot w = -\frac{kg}R
+. w(0) = w_0
++ w = w_0 - \frac{kg}Rt
+. \tau = \frac{Rw_0}{kg}
++ \int_0^\tau w\,dt = \frac{Rw_0^2}{2kg}
+- \int_0^\tau w\,dt = \frac{Rw_0^2}{kg}
+
+# an integral over a motion that is not known
+. \dot w = -\frac{kg}Rw^3
+. \tau = \frac{2R}g
+? \int_0^\tau w\,dt = w\tau
+
+# a number with a unit
+. J = \frac{mga^2\tau^2}{4\pi^2h}
+> Here $m = 2\,\mathrm{kg}$, $a = 0.15\,\mathrm m$, $h = 1.2\,\mathrm m$.
+> Here $\tau = 1.5\,\mathrm s$, $g = 9.81\,\mathrm{m/s^2}$.
++ J = 0.021\,\mathrm{kg\,m^2}
+- J = 0.21\,\mathrm{kg\,m^2}
+
+# a relation in time, and its rate
+. r = a(1 - e\cos E)
+. nt = E - e\sin E
++ \dot E = \frac n{1 - e\cos E}
+- \dot E = \frac n{1 - e\sin E}
++ \dot r = \frac{nae\sin E}{1 - e\cos E}
+- \dot r = \frac{nae\cos E}{1 - e\cos E}
+
+# two relations solved together
+. P = m(v - u)
+. V = \frac PM
+. u = V + wd
++ P = \frac{m(v - wd)}{1 + \frac mM}
+- P = \frac{m(v - wd)}{1 - \frac mM}
+
+# canonical equations
+. H = \frac{p_r^2}{2m} + \frac{K^2}{2mr^2} - \frac cr
++ \dot r = \frac{p_r}m
+- \dot r = -\frac{p_r}m
++ \dot p_r = \frac{K^2}{mr^3} - \frac c{r^2}
+- \dot p_r = \frac{K^2}{mr^3} + \frac c{r^2}
+
+# canonical equations with friction
+. H = \frac{p^2}{2m} + \frac12kx^2
++ \dot x = \frac pm
+. \dot p = -kx - bp
+
+# a prime on a curve
+. y = c\cosh\frac xc
++ y' = \sinh\frac xc
+- y' = c\sinh\frac xc
++ y'' = \frac y{c^2}
+- y'' = \frac y{2c^2}
+
+# a prime on the letter of other axes
+. y = kx
+. x' = x\cos\alpha + y\sin\alpha
+. y' = y\cos\alpha - x\sin\alpha
+
+# a row that is turned
+. I = \begin{pmatrix} A & D \\ D & B\end{pmatrix}
+. w = (u, v)^T
++ w^T I w = Au^2 + 2Duv + Bv^2
+- w^T I w = Au^2 + Duv + Bv^2
+
+# what runs is an angle
+. \frac{dS}{d\phi} = \mu S
+. S(0) = S_0
++ S = S_0e^{\mu\phi}
+- S = S_0e^{-\mu\phi}
+
 # sine and cosine
 . x = l\sin\theta
 + \dot x = l\dot\theta\cos\theta

@@ -351,3 +351,22 @@ def test_an_error_of_ours_is_not_hidden(monkeypatch):
     [row] = judged("$x = y$")
     assert row.outcome.verdict == "undecided"
     assert row.outcome.why == ("rigidtop itself fails here, please report it (AttributeError: no)")
+
+
+ROLLER = r"""$$v = (R - r)\dot\phi = r\omega$$
+
+$$T = \frac34mv^2, \quad V = -mg(R - r)\cos\phi$$
+
+$$\ddot\phi = -\frac{2g}{3(R - r)}\sin\phi$$
+
+Released at $\phi = \alpha$ it has
+
+$$\dot\phi^2 = \frac{4g}{3(R - r)}(\cos\phi - \cos\alpha)$$
+
+$$N = mg\cos\phi + m(R - r)\dot\phi^2 = \frac{mg}3(7\cos\phi - 4\cos\alpha)$$
+"""
+
+
+def test_a_slip_does_not_make_terms_cancel():
+    *_, opened, row = judged(ROLLER)
+    assert opened.outcome.verdict == row.outcome.verdict == "undecided"
