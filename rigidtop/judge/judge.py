@@ -22,6 +22,7 @@ from rigidtop.judge.sides import (
     gives_all_a_value,
     has_components,
     letters_in,
+    moving_in,
     named,
     own_letters,
     with_constant_last,
@@ -52,6 +53,7 @@ class Judge:
 
     def judged(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
         """What becomes of a statement, and what is known after it."""
+        context = context.moved(moving_in(statement))
         outcome, after = self._in_context(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
         if situation.asked and not outcome.passed:

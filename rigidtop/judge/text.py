@@ -237,6 +237,7 @@ def situation(
         small=Cue.SMALL in cues or Cue.APPROXIMATED in cues,
         large=Cue.LARGE in cues,
         asked=Cue.ASKED in cues,
+        origin=Cue.ORIGIN in cues,
         anew=Cue.ANEW in cues,
         inline=not passage.display,
         opens=opens,
