@@ -258,11 +258,14 @@ def _conditioned(question: Question, relation: str) -> Judgement:
     """The outcome of ≠, ≪ and ≫, and of a bound within a chain: what holds from here on."""
     context = question.context
     if relation == "≠":
-        same = question.left == question.right
-        if question.at.closed and (same or equality.judged(question)[0].passed):
-            return Outcome(FALSE, "the two are equal"), context
-        gap = n.Sum((question.left, n.Negative(question.right)))
-        context = replace(context, not_zero=(*context.not_zero, gap))
+        right = question.right
+        for other in right.entries if isinstance(right, n.Tuple) else (right,):
+            each = replace(question, right=other)
+            same = each.left == other
+            if each.at.closed and (same or equality.judged(each)[0].passed):
+                return Outcome(FALSE, "the two are equal"), question.context
+            gap = n.Sum((each.left, n.Negative(other)))
+            context = replace(context, not_zero=(*context.not_zero, gap))
     elif relation in ("≪", "≫"):
         little = own_letters(question.left if relation == "≪" else question.right)
         # What is smaller than the same is so together.

@@ -153,9 +153,13 @@ def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -
     """What each formula states, read with the functions of the whole text."""
     if any(_POINT.search(passage.text) for passage in text):
         text = [replace(x, text=_THOUSANDS.sub(_closed_up, x.text)) for x in text]
-    once = [each for passage in text for each in _read(passage, macros, frozenset(), until)]
-    known = functions_of(once)
-    read = [(passage, each) for passage in text for each in _read(passage, macros, known, until)]
+    once = [each for passage in text for each in _read(passage, macros, until)]
+    known, lettered = functions_of(once), _has_length(once)
+    read = [
+        (passage, each)
+        for passage in text
+        for each in _read(passage, macros, until, known, lettered)
+    ]
     table = str.maketrans(_shapes(each for _, each in read))
     return [(passage, _folded(each, table)) for passage, each in read] if table else read
 
@@ -171,11 +175,15 @@ def _closed_up(match: re.Match[str]) -> str:
 
 
 def _read(
-    passage: Passage, macros: Macros, functions: frozenset[Letter], until: float
+    passage: Passage,
+    macros: Macros,
+    until: float,
+    functions: frozenset[Letter] = frozenset(),
+    lettered: bool = False,
 ) -> Sequence[Statement | Unread]:
     if time.process_time() > until:
         return (Unread(0, LATE),)
-    return statements(_whole(passage), macros, functions)
+    return statements(_whole(passage), macros, functions, lettered)
 
 
 def _whole(passage: Passage) -> str:
@@ -349,6 +357,16 @@ def functions_of(read: Iterable[Statement | Unread]) -> frozenset[Letter]:
         for side in each.sides
         for node in n.walked(side)
         if isinstance(node, n.Call) and isinstance(node.function, Letter)
+    )
+
+
+def _has_length(read: Iterable[Statement | Unread]) -> bool:
+    """Whether a text uses d as a letter."""
+    return any(
+        Letter("d") in n.letters(side)
+        for each in read
+        if isinstance(each, Statement)
+        for side in each.sides
     )
 
 
