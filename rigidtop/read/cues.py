@@ -125,6 +125,8 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         rf"{_START}(?:set(?:ting)?|put(?:ting)?|tak(?:e|ing)|try)(?: (?:now|also|first|as))*",
         r"\blet [^§.;]{1,60}:(?: § [^§.;]{1,30},)*",
         rf"{_START}set(?:ting)? [^§=.;:]{{1,40}} = [^§=.;:]{{1,40}}",
+        r"\b(?:choos(?:e|ing)|chosen|wähl(?:e|en|t)|gewählt|choisi\w*) [^§.;:]{1,50}"
+        r"(?:such|so|sodass|dass|that|que)(?: that| dass)?",
         r"\bI (?:assume|take|suppose)(?: that)?",
         rf"\b(?:angenommen|nimm an|nehmen (?:wir )?an|sei(?:en)?|sind nun"
         rf"|setze(?:n wir)?),?(?: nun| dass)*{_NOUN}",

@@ -154,6 +154,7 @@ CUES = {
     "For $x=0$ in the rest position $b=c$.": ["CASE", ""],
     "$x=0$ unten": ["ORIGIN"],
     "La position d'équilibre est $x=0$.": ["ORIGIN"],
+    "Choose the axes so that $a=0$ and $b=c$. So $d=e$": ["CASE DERIVED"] * 2 + ["DERIVED"],
     "A new problem is harder. There $a=b$": [""],
 }
 
