@@ -41,6 +41,8 @@ class Definition:
 
 LAW, PREMISE, SETTING, LINEAR = "law", "premise", "setting", "linear"
 """Why something holds: a stated law, what fixes a letter, a special motion, an approximation."""
+PLACE = "place"
+"""Or a value of what moves that is said in passing: it ends where the text says how that moves."""
 FORCED = "forced"
 """Or Lagrange's equation with a force that the Lagrangian does not have."""
 
@@ -149,6 +151,11 @@ class Context:
     def holding(self, constraint: Constraint) -> Context:
         """With something more that holds."""
         return replace(self, constraints=(*self.constraints, constraint))
+
+    def moved(self, moving: frozenset[Letter]) -> Context:
+        """Without the places of letters of which it is said how they move."""
+        kept = tuple(c for c in self.constraints if c.kind != PLACE or c.left not in moving)
+        return replace(self, constraints=kept)
 
     def doubting(self, node: Node) -> Context:
         """With a doubt of what a letter stands for."""

@@ -6,7 +6,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from math import inf
 
+from sympy import Add
+
 from rigidtop.judge import approximations, definitions, faults, novelties, paths, settings
+from rigidtop.judge.context import Constraint
 from rigidtop.judge.faults import NUMBERS
 from rigidtop.judge.laws import LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.meaning import UnclearError
@@ -25,6 +28,9 @@ DOES_NOT_FOLLOW = "it does not follow from what stands above"
 def judged(question: Question) -> Judgement:
     """The outcome of an equation and the context behind it; raises UnclearError."""
     left, right = question.left, question.right
+    origin = settings.origin(question)
+    if origin is not None:
+        return origin
     defined = definitions.definition(question, left, right)
     defined = defined or definitions.definition(question, right, left)
     if defined is not None:
@@ -40,7 +46,7 @@ def judged(question: Question) -> Judgement:
     if holds:
         if left == right:
             return Outcome(UNDECIDED, "it says nothing"), question.context
-        return _always(question) or question.follows()
+        return _always(question) or _vacuous(question) or question.follows()
     if question.is_kept(question.both):
         path = paths.path_of(question)
         outcome, context = question.follows()
@@ -72,6 +78,28 @@ def _always(question: Question) -> Judgement | None:
         return None
     outcome, context = judged(replace(question.always(), asked=None))
     return (outcome, context) if outcome.passed is not None or not at.inline else None
+
+
+def _vacuous(question: Question) -> Judgement | None:
+    """What becomes of it without the special cases in which each of its terms vanishes."""
+    context = question.context
+    kept = tuple(c for c in context.constraints if c.instant or not _is_case(c, question.moving))
+    sides = (side for pair in question.both for side in pair)
+    terms = [x for side in sides for x in Add.make_args(side) if x != 0]
+    if len(kept) == len(context.constraints) or len(terms) < 2:
+        return None
+    if not question.worlds.vanish(terms):
+        return None
+    other = replace(question.within(replace(context, constraints=kept)), asked=None)
+    if other.worlds.holds(other.both):
+        return None
+    why = "each of its terms vanishes in the case that is supposed"
+    return Outcome(UNDECIDED, why, question.rests_on), context
+
+
+def _is_case(constraint: Constraint, moving: frozenset[Letter]) -> bool:
+    """Whether a constraint gives what moves a number, at which it stays."""
+    return constraint.left in moving and isinstance(constraint.right, n.Number)
 
 
 def _failed(question: Question, holds: bool | None) -> Judgement:
@@ -147,6 +175,7 @@ def _judged_new(question: Question, holds: bool | None) -> Judgement:
     return (
         _one_root(question)
         or definitions.again(question)
+        or settings.place(question)
         or novelties.letters(question)
         or settings.setting(question)
         or settings.chosen(question)

@@ -22,6 +22,7 @@ from rigidtop.judge.sides import (
     gives_all_a_value,
     has_components,
     letters_in,
+    moving_in,
     named,
     own_letters,
     with_constant_last,
@@ -52,6 +53,7 @@ class Judge:
 
     def judged(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
         """What becomes of a statement, and what is known after it."""
+        context = context.moved(moving_in(statement))
         outcome, after = self._in_context(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
         if situation.asked and not outcome.passed:
@@ -256,11 +258,14 @@ def _conditioned(question: Question, relation: str) -> Judgement:
     """The outcome of ≠, ≪ and ≫, and of a bound within a chain: what holds from here on."""
     context = question.context
     if relation == "≠":
-        same = question.left == question.right
-        if question.at.closed and (same or equality.judged(question)[0].passed):
-            return Outcome(FALSE, "the two are equal"), context
-        gap = n.Sum((question.left, n.Negative(question.right)))
-        context = replace(context, not_zero=(*context.not_zero, gap))
+        right = question.right
+        for other in right.entries if isinstance(right, n.Tuple) else (right,):
+            each = replace(question, right=other)
+            same = each.left == other
+            if each.at.closed and (same or equality.judged(each)[0].passed):
+                return Outcome(FALSE, "the two are equal"), question.context
+            gap = n.Sum((each.left, n.Negative(other)))
+            context = replace(context, not_zero=(*context.not_zero, gap))
     elif relation in ("≪", "≫"):
         little = own_letters(question.left if relation == "≪" else question.right)
         # What is smaller than the same is so together.

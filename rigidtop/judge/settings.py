@@ -8,7 +8,7 @@ from dataclasses import replace
 from sympy import Symbol
 
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import SETTING
+from rigidtop.judge.context import PLACE, SETTING
 from rigidtop.judge.jets import TIME, Jet, jet_of
 from rigidtop.judge.numbers import are_numbers
 from rigidtop.judge.outcome import PREMISE, Outcome
@@ -36,6 +36,29 @@ def setting(question: Question) -> Judgement | None:
         if question.of(question.both, known).worlds.count:
             return outcome, known
     return None
+
+
+def origin(question: Question) -> Judgement | None:
+    """Where a letter counts from, by the words beside it: nothing that holds as it moves."""
+    if not (question.at.origin and _is_place(question)):
+        return None
+    return Outcome(PREMISE, "where it counts from"), question.context
+
+
+def place(question: Question) -> Judgement | None:
+    """A value of what moves, said in passing: it holds until the text says how that moves."""
+    at = question.at
+    if at.supposed or at.derived or at.closed or not _is_place(question):
+        return None
+    return Outcome(PREMISE, "a place"), question.context.holding(question.constraint(PLACE))
+
+
+def _is_place(question: Question) -> bool:
+    """Whether a coordinate is given a number in a line of words."""
+    at, left = question.at, question.left
+    if not at.inline or at.instant or question.inner or left not in question.moving:
+        return False
+    return all(are_numbers(x, x) for _, x in question.both)
 
 
 def _may_be_set(question: Question) -> bool:

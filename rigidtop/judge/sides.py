@@ -56,6 +56,14 @@ def entries(value: Value) -> list[Expr]:
     return list(value) if isinstance(value, MatrixBase) else [value]
 
 
+def moving_in(statement: Statement) -> frozenset[Letter]:
+    """The letters whose rates stand in a statement, if it says more than what a rate is."""
+    if is_setting(statement.sides[0], statement.sides[-1], ()):
+        return frozenset()
+    rates = (x for side in statement.sides for x in n.walked(side) if isinstance(x, n.Rate))
+    return frozenset().union(*(n.letters(x.of) for x in rates))
+
+
 def speaks_of(value: Value, letter: Letter, functions: bool = False) -> bool:
     """Whether a letter occurs in what is meant, with `functions` also as an unknown function."""
     if functions and any(

@@ -14,6 +14,7 @@ class Situation:
     `supposed`: it is set for what follows; `case`: it is one of several; `derived`: it is said to
     follow; `instant`: it is said of one moment; `small` and `large`: for what it is nearly true;
     `declared` are letters that words introduce, and `asked` says that it is not asserted.
+    `origin`: it says where a letter counts from.
     `anew`: it is what a letter stands for after a change.
     `inline`: it stands in a line of words, and `opens`: nothing stands above it in its scope.
     `closed`: all that is needed has been said, so that what does not hold is false.
@@ -30,6 +31,7 @@ class Situation:
     small: bool = False
     large: bool = False
     asked: bool = False
+    origin: bool = False
     anew: bool = False
     inline: bool = False
     closed: bool = False

@@ -227,9 +227,11 @@ def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -
     if any(_POINT.search(passage.text) for passage in text):
         text = [replace(x, text=_THOUSANDS.sub(_closed_up, x.text)) for x in text]
     own = frozenset(macros.items())
-    once = [each for passage in text for each in _read(passage, own, frozenset(), until)]
-    known = functions_of(once)
-    read = [(passage, each) for passage in text for each in _read(passage, own, known, until)]
+    once = [each for passage in text for each in _read(passage, own, until)]
+    known, lettered = functions_of(once), _has_length(once)
+    read = [
+        (passage, each) for passage in text for each in _read(passage, own, until, known, lettered)
+    ]
     table = str.maketrans(_shapes(each for _, each in read))
     return [(passage, _folded(each, table)) for passage, each in read] if table else read
 
@@ -245,19 +247,23 @@ def _closed_up(match: re.Match[str]) -> str:
 
 
 def _read(
-    passage: Passage, macros: _Macros, functions: frozenset[Letter], until: float
+    passage: Passage,
+    macros: _Macros,
+    until: float,
+    functions: frozenset[Letter] = frozenset(),
+    lettered: bool = False,
 ) -> Sequence[Statement | Unread]:
     if time.process_time() > until:
         return (Unread(0, LATE),)
-    return _statements(_whole(passage), macros, functions)
+    return _statements(_whole(passage), macros, functions, lettered)
 
 
 @lru_cache(maxsize=5_000)
 def _statements(
-    text: str, macros: _Macros, functions: frozenset[Letter]
+    text: str, macros: _Macros, functions: frozenset[Letter], lettered: bool
 ) -> Sequence[Statement | Unread]:
     """What a formula states; of a text that is read again, only what is new is gone through."""
-    return statements(text, dict(macros), functions)
+    return statements(text, dict(macros), functions, lettered)
 
 
 def _whole(passage: Passage) -> str:
@@ -319,6 +325,7 @@ def situation(
         small=Cue.SMALL in cues or Cue.APPROXIMATED in cues,
         large=Cue.LARGE in cues,
         asked=Cue.ASKED in cues,
+        origin=Cue.ORIGIN in cues,
         anew=Cue.ANEW in cues,
         inline=not passage.display,
         opens=opens,
@@ -430,6 +437,16 @@ def functions_of(read: Iterable[Statement | Unread]) -> frozenset[Letter]:
         for side in each.sides
         for node in n.walked(side)
         if isinstance(node, n.Call) and isinstance(node.function, Letter)
+    )
+
+
+def _has_length(read: Iterable[Statement | Unread]) -> bool:
+    """Whether a text uses d as a letter."""
+    return any(
+        Letter("d") in n.letters(side)
+        for each in read
+        if isinstance(each, Statement)
+        for side in each.sides
     )
 
 

@@ -42,6 +42,8 @@ class Cue(Enum):
     """It follows from what was said: "hence"."""
     GIVEN = auto()
     """It is taken from elsewhere: "according to", "experiment shows"."""
+    ORIGIN = auto()
+    """It says where a letter counts from: "§ is the lowest position"."""
     ANEW = auto()
     """It is what something is after a change: "the new energy is"."""
 
@@ -89,6 +91,23 @@ _LARGE = (
     r"|toupie rapide|grande?s? (?:§|vitesses?))"
 )
 
+_POSITION = (
+    r"(?:(?:(?:rest|equilibrium|lowest|highest|hanging|upright|vertical|horizontal|initial) )?"
+    r"(?:position|configuration|point|direction)|equilibrium|bottom|top|origin|vertical"
+    r"|horizontal|level|ground|ceiling|floor|(?:Ruhe|Gleichgewichts|Null)(?:lage|punkt)"
+    r"|(?:tiefste|höchste)[nr]? (?:Lage|Stelle|Punkt)|(?:Senk|Waage)rechte|Gleichgewicht"
+    r"|Vertikale|Horizontale|(?:la )?(?:position|verticale|horizontale)(?: d['’]équilibre"
+    r"| de repos| (?:la )?plus basse| initiale)?|point le plus bas|équilibre|repos|origine)"
+)
+"""Words for a place from which a coordinate counts."""
+_POINTING = (
+    r"(?:(?:(?:hanging|hangs|pointing|points|straight|vertically|directly) ){0,2}"
+    r"(?:hanging|down(?:wards?)?|up(?:wards?|right)?|vertical(?:ly)?|horizontal(?:ly)?|below|above)"
+    r"|(?:(?:senkrecht|hängend|ganz|nach) ){0,2}(?:unten|oben|hängend|senkrecht|waagerecht)"
+    r"|(?:vers le|en) (?:bas|haut))\b"
+)
+"""Words for a direction in which something lies or hangs."""
+
 BEFORE: dict[Cue, tuple[str, ...]] = {
     Cue.MOMENT: (
         rf"\b(?:at|in|near|passes|reaches) (?:the|its|this|that) {_PLACE}\b[^§]*",
@@ -106,6 +125,8 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         rf"{_START}(?:set(?:ting)?|put(?:ting)?|tak(?:e|ing)|try)(?: (?:now|also|first|as))*",
         r"\blet [^§.;]{1,60}:(?: § [^§.;]{1,30},)*",
         rf"{_START}set(?:ting)? [^§=.;:]{{1,40}} = [^§=.;:]{{1,40}}",
+        r"\b(?:choos(?:e|ing)|chosen|wähl(?:e|en|t)|gewählt|choisi\w*) [^§.;:]{1,50}"
+        r"(?:such|so|sodass|dass|that|que)(?: that| dass)?",
         r"\bI (?:assume|take|suppose)(?: that)?",
         rf"\b(?:angenommen|nimm an|nehmen (?:wir )?an|sei(?:en)?|sind nun"
         rf"|setze(?:n wir)?),?(?: nun| dass)*{_NOUN}",
@@ -139,6 +160,12 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"\b(?:show|prove|verify|is it true|why is|zeigen? (?:Sie|wir)?|beweisen?(?: Sie)?"
         r"|montre[rz]"
         r"|démontre[rz]|est-ce)(?: that|,? dass| que)?[^.]{0,60}",
+    ),
+    Cue.ORIGIN: (
+        rf"\b{_POSITION} (?:{_BEING}|has|hat|a|corresponds to|entspricht|correspond à)"
+        r"(?: (?:at|bei|en|à))?",
+        r"\b(?:measured|counted|counts|gemessen|gezählt|zählt|mesurée?|comptée?) "
+        r"(?:from|von|ab|à partir de)",
     ),
     Cue.ANEW: (
         r"\b(?:new|changed|neue[ns]?|nouvel(?:le)?) (?:[\w'-]+ ){1,4}(?:is|becomes|ist|wird"
@@ -191,6 +218,11 @@ BEHIND: dict[Cue, tuple[str, ...]] = {
     Cue.LARGE: (
         rf",? ?\(?(?:for|if|when|für|pour) (?:an? |the )?{_LARGE}",
         rf"{_AND}(?:{_BEING} )?(?:very |sehr |très )?(?:large|groß|gross|grande?s?)\b",
+    ),
+    Cue.ORIGIN: (
+        rf",? ?\(?(?:(?:{_BEING}|when|where|if|wenn|wo|si|means|heißt|corresponds to|entspricht"
+        rf"|correspond à|denotes|marks) )?(?:(?:it|he|she|er|sie|es|elle|il) )?(?:hangs )?"
+        rf"(?:(?:at|in|bei|im|à|au|en) )?(?:{_THE} ?)?(?:{_POSITION}\b|{_POINTING})",
     ),
     Cue.MOMENT: (rf",? ?(?:at|in|near) the {_PLACE}\b|,? ?(?:initially|am Anfang|au début)\b",),
     Cue.GENERAL: (r",? ?(?:for all (?:times?|t|§)|at (?:any|all) times?|always|stets|toujours)\b",),
@@ -264,6 +296,10 @@ _WITHIN = {cue: re.compile("|".join(patterns), re.I) for cue, patterns in WITHIN
 _BEHIND = {cue: re.compile("|".join(patterns), re.I) for cue, patterns in BEHIND.items()}
 _TITLED = re.compile(rf"(?:{'|'.join(TITLED)})\Z", re.I)
 _WHERE = re.compile(r"\bwhere\Z", re.I)
+_CHOSEN = re.compile(
+    r"\b(?:let|choose|take|put|set|with|sei|wähle|mit|soit|avec)(?: (?:us|now))?[ :(]*\Z", re.I
+)
+"""What chooses a coordinate, in front of the place from which it counts."""
 _SUPPOSED_BEHIND = re.compile(r"(?:at|if|when|bei|wenn|falls|si|lorsque)", re.I)
 """All that stands between a formula and the one that says where it holds."""
 
@@ -285,6 +321,8 @@ def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
         titled = _TITLED.match(before) or ("¶" in behind and Cue.DERIVED not in heard)
         if titled:
             heard = heard - {Cue.DEFINED} | {Cue.CASE}
+        if heard & {Cue.MOMENT, Cue.CASE} and not _CHOSEN.search(before):
+            heard = heard - {Cue.ORIGIN}
         if _WHERE.search(before) and _VANISHING.search(text):
             heard = heard - {Cue.DEFINED} | {Cue.MOMENT}
     return unequal(frozenset(heard), text, display)

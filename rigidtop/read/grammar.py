@@ -84,13 +84,15 @@ class Reading:
     """How is read what can be read in two ways.
 
     `calls`: M(x) is a function at a place, not a product; `gathered`: a/bc is a/(bc);
-    `differentials`: dx is a differential, not d times x.  `functions` are functions for certain.
+    `differentials`: dx is a differential, not d times x.  `functions` are functions for certain,
+    and where it is `lettered`, so is d a letter in front of a rate.
     """
 
     calls: bool = True
     gathered: bool = True
     differentials: bool = True
     functions: frozenset[Letter] = frozenset()
+    lettered: bool = False
 
 
 _END: Final = Token("end", "", 0)
@@ -729,6 +731,7 @@ class Grammar:
                 return derivative_of(sign, self.operand(), by)
             self.at = behind
         usual = sign == "∂" or self.reading.differentials or loose
+        usual = usual and not (self.reading.lettered and isinstance(of, Rate))
         if of is not None and usual and self.items[self.at - 1].kind != "close":
             return Differential(of, order, sign == "∂")
         self.at = start
@@ -737,7 +740,7 @@ class Grammar:
     def is_named(self) -> bool:
         """Whether a letter begins here, with its accents."""
         token = self.peek()
-        dressed = token.text in BOLD or token.text in _DOTS or token.text in _MARKS
+        dressed = any(token.text in accents for accents in (BOLD, _DOTS, _MARKS, _STYLES))
         named = token.kind == "upright" and token.text not in FUNCTIONS
         return (token.kind == "letter" and not self.spelled()) or dressed or named
 

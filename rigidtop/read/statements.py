@@ -53,16 +53,20 @@ _MARKS: Final = _INFIX | {"^", r"\star", "⋆", "†", "‡", r"\dagger", r"\dda
 
 
 def statements(
-    text: str, macros: Macros = PACKAGES, functions: frozenset[Letter] = frozenset()
+    text: str,
+    macros: Macros = PACKAGES,
+    functions: frozenset[Letter] = frozenset(),
+    lettered: bool = False,
 ) -> Read:
     r"""What a formula states, in order; what can't be read is an `Unread` among the others.
 
-    `functions` are letters whose brackets hold the place at which they are taken.
+    `functions` are letters whose brackets hold the place at which they are taken; where it is
+    `lettered`, d is a letter in front of a rate.
 
     >>> [len(each.sides) for each in statements(r"a = b = c,\quad d > 0 \Rightarrow e = f")]
     [3, 2, 2]
     """
-    return _read(text, macros, Reading(functions=functions))
+    return _read(text, macros, Reading(functions=functions, lettered=lettered))
 
 
 def readings(

@@ -104,6 +104,24 @@ TEXTS = [
      r"If it starts from rest at $\theta = \pi/2$, then $E = 0$ and" "\n"
      r"$$ml\dot\theta^2 = 2mg\cos\theta,$$" "\n" "so\n" r"$$S = 2mg\cos\theta.$$",
      {3: True, 5: False}),
+    # where a letter counts from says nothing of how it moves, nor does what vanishes with it
+    *(
+        (f"{words}\n{SPRING}" r"$m\ddot x = -kx$" "\n" r"$m\ddot x = -2kx$",
+         {1: None, 3: True, 4: False})
+        for words in ("Here $x = 0$ is the rest position.", "Let $x = 0$ be the lowest point.",
+                      "$x = 0$ unten.", "La position d'équilibre est $x = 0$.",
+                      "Nothing pulls where $x = 0$.")
+    ),
+    (f"For $x = 0$\n{SPRING}" r"$m\ddot x = -kx$" "\n" r"$m\ddot x = -2kx$", {3: True, 4: None}),
+    (f"We have $x = 0$ as it is loose.\n{SPRING}" r"$m\ddot x = -2kx$", {3: None}),
+    # d is a length in front of a rate, where the text has one
+    (r"$V = -mgd\cos\theta$" "\n" r"$L = \frac12 md^2\dot\theta^2 - V$" "\n"
+     r"$d\ddot\theta = -g\sin\theta$" "\n" r"$d\ddot\theta = g\sin\theta$",
+     {3: True, 4: False}),
+    (r"$\mathcal L = \frac12 m\dot x^2 - \frac12 kx^2$" "\n" r"$m\ddot x = \partial\mathcal L/"
+     r"\partial x$" "\n" r"$m\ddot x = -\partial\mathcal L/\partial x$", {2: True, 3: False}),
+    (r"$(u - v)(u - 2v)(u - w) = 0$. If $u \ne v, 2v$, then" "\n$u = w$\n$u = v$",
+     {2: True, 3: False}),
     # what is not equal picks a root
     ("$(u - v)(u + v - 2w) = 0$. If $u \\ne v$, then\n$u + v = 2w$", {2: True}),
     # a function that an energy has as well as the Lagrangian is no new one

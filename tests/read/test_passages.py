@@ -148,6 +148,13 @@ CUES = {
     "The moment, from the tables, is $$J=1$$": ["GIVEN"],
     "Laut Messung ist $a=b$": ["GIVEN"],
     "The new total energy is therefore $a=b$": ["ANEW DERIVED"],
+    "$x=0$ is the lowest point, and $y=0$ hanging down.": ["ORIGIN", "ORIGIN"],
+    "Let $x=0$ be upright.": ["CASE DEFINED ORIGIN"],
+    "At the start $x=0$ in the rest position.": ["MOMENT"],
+    "For $x=0$ in the rest position $b=c$.": ["CASE", ""],
+    "$x=0$ unten": ["ORIGIN"],
+    "La position d'équilibre est $x=0$.": ["ORIGIN"],
+    "Choose the axes so that $a=0$ and $b=c$. So $d=e$": ["CASE DERIVED"] * 2 + ["DERIVED"],
     "A new problem is harder. There $a=b$": [""],
 }
 
