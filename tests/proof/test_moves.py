@@ -679,11 +679,11 @@ Put the spin momentum into it =>
 
 
 def test_an_equation_is_cited_by_its_left_side() -> None:
-    """Else any right side would do."""
+    """Or as it stands above: else any right side would do."""
     page = r"Divide $\mathbf N_{\text{in}} = 0$ by $M$ => \frac{\mathbf N_{\text{in}}}{M} = 0"
     lecture = lecture_of(LAWS, page)
     [(_, _, problem)] = lecture.unread()
-    assert "is an equation: its left side says which is meant" in problem
+    assert "a line goes by its number, its name, its left side in dollars" in problem
 
 
 def test_what_equals_a_square_is_not_negative():

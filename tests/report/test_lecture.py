@@ -87,7 +87,7 @@ def test_every_figure_has_its_section():
 def test_every_claim_has_every_fragment(judged):
     every = [judgement for _, judgements in judged for judgement in judgements]
     for number, judgement in enumerate(every):  # as text and as LaTeX each elsewhere
-        assert fragment(judgement, FORMATS[number % len(FORMATS)]).strip()
+        assert fragment(judgement, [*FORMATS][number % len(FORMATS)]).strip()
 
 
 @pytest.fixture(scope="module")
