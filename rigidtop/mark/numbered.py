@@ -186,13 +186,13 @@ def copies(
     subject, at = numbers.subject, {row.position: row for row in rows}
     found = []
     for group in numbered(source):
-        mine = [
-            (_unread(at[line.position], line.problem), _said(line.equation))
+        read = [
+            (_unread(at[line.position], line.problem), _statements(line.equation))
             for line in lines(group, subject.notation, macros)
             if line.position in at
         ]
-        if mine and time.process_time() < until:
-            found.append(_copy(group, mine, numbers.entry(group.number), subject, until))
+        if read and time.process_time() < until:
+            found.append(_copy(group, read, numbers.entry(group.number), subject, until))
     return tuple(found)
 
 
@@ -226,31 +226,32 @@ def missing(found: Sequence[Copy], pages: Iterable[Page]) -> tuple[Claim, ...]:
 
 
 def _entry(claim: Claim, page: Page, subject: Subject, known: Letters) -> _Entry:
+    """A claim judged, with what is printed of it and the worlds in which that holds."""
     pages = subject.lecture
     judgement = judge(claim, page.section, pages, known)
     findings = [x for x in judgement.findings() if x.check.printed]
-    printed = {s: x.verdict.value for x in findings for s in _said(x.check.claimed)}
+    printed = {s: x.verdict.value for x in findings for s in _statements(x.check.claimed)}
     for item in judgement.items:
         if isinstance(item, Naming):
-            printed |= dict.fromkeys(_said(item.equation), DEFINED)
+            printed |= dict.fromkeys(_statements(item.equation), DEFINED)
     sound = [s for s, verdict in printed.items() if verdict in _SHOWN]
-    sound += [s for x in judgement.corrections() for s in _said(x.check.claimed)]
+    sound += [s for x in judgement.corrections() for s in _statements(x.check.claimed)]
     ids = pages.names.get(claim.name, ())
     if not printed:
         equations = [each for id in ids for each in pages.lines[id].equations]
-        sound = [s for each in equations if each.tag in ("", claim.name) for s in _said(each)]
+        sound = [s for each in equations if each.tag in ("", claim.name) for s in _statements(each)]
         printed = dict.fromkeys(sound, judgement.verdict.value)
-    set_for_it = [
+    settings = [
         condition.expression
         for id in ids
         for condition in pages.judged(id).known.conditions
         if condition.relation == "="
     ]
-    constant = [x for x in dict.fromkeys(set_for_it) if x.free_symbols <= known.numbers]
+    constant = [x for x in dict.fromkeys(settings) if x.free_symbols <= known.numbers]
     alike = dict(pair for x in constant for pair in _alike(x))
     printed = {_in_letters(each, alike): verdict for each, verdict in printed.items()}
     sound = [*dict.fromkeys(_in_letters(each, alike) for each in sound)]
-    special = [each for x in set_for_it for each in _said(Equation(x, 0))]
+    special = [each for x in settings for each in _statements(Equation(x, 0))]
     matrices = [x for operator in known.operators for x in _letters_of(operator)]
     worlds = _worlds([*special, *sound], matrices)
     return _Entry(judgement, printed, tuple(sound), worlds, alike)
@@ -258,7 +259,7 @@ def _entry(claim: Claim, page: Page, subject: Subject, known: Letters) -> _Entry
 
 def _letters_of(symbol: Expr) -> Iterator[Letter]:
     """The letter by which a symbol is written."""
-    for said in _said(Equation(symbol, 0)):
+    for said in _statements(Equation(symbol, 0)):
         if isinstance(said.sides[0], Letter):
             yield said.sides[0]
 
@@ -278,7 +279,7 @@ def _in_letters(each: Statement, alike: Mapping[Letter, Letter]) -> Statement:
     return replace(each, sides=tuple(n.mapped(side, change) for side in each.sides))
 
 
-def _said(equation: Equation | None) -> tuple[Statement, ...]:
+def _statements(equation: Equation | None) -> tuple[Statement, ...]:
     """An equation as statements in the letters of the collection; nothing for none."""
     read = statements(latex(equation)) if equation is not None else ()
     return tuple(replace(x, position=0, tag="") for x in read if isinstance(x, Statement))
@@ -311,7 +312,10 @@ def _copy(
     subject: Subject,
     until: float,
 ) -> Copy:
-    """`rows` come with what each says in the letters of the collection, where it is read there."""
+    """What a file has under one number, compared with the entry of that number.
+
+    `rows` come with what each says in the letters of the collection, where it is read there.
+    """
     if entry is None:
         return Copy(group, tuple(Line(row, row.outcome, False) for row, _ in rows), None)
     comparison = _Comparison(entry, subject, until)
