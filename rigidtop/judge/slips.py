@@ -281,8 +281,7 @@ def _scaled(
         )
     for factor, words, rank in factors:
         bare = _bare(term)
-        grouped = n.Group(bare) if isinstance(bare, n.Sum) else bare
-        new: Node = n.Product((factor, grouped))
+        new = _product(factor, bare)
         if isinstance(term, n.Negative):
             new = n.Negative(new)
         elif isinstance(term, n.PlusMinus):
