@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rigidtop.commands.notes import NoFormulasError, Notes, audited
-from rigidtop.judge.text import LATE, Reading, Row, Step, reading, steps
+from rigidtop.judge.text import LATE, Reading, Row, Step, reading, rows_of, steps
 from rigidtop.read.project import sources, whole
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class History:
             if is_old():
                 raise OldTextError
             self.steps.append(step)
-        return tuple(step.row for step in self.steps if step.row is not None)
+        return rows_of(self.steps)
 
     def _kept(self, read: Reading) -> Iterator[Step]:
         """The steps that stand as they are."""

@@ -10,7 +10,7 @@ from rigidtop.judge.context import LINEAR
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, Slip, slip
 from rigidtop.judge.jets import jet_of, jets
 from rigidtop.judge.numbers import are_numbers, compared
-from rigidtop.judge.orders import Scaling, differ, nearly, scalings, small_together
+from rigidtop.judge.orders import Scaling, differ, is_too_long, nearly, scalings, small_together
 from rigidtop.judge.outcome import ASSUMING, FALSE, UNDECIDED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.settings import is_own
@@ -46,6 +46,12 @@ def nearly_equal(question: Question) -> Judgement | None:
     words = _alike(question, question.both, question.worlds)
     if not words:
         return None
+    if not _alike(question, question.both, question.worlds, strictly=True):
+        strictly = partial(_is_alike, question, strictly=True)
+        wrong = slip(question, strictly, "\\approx", most=NEARLY_ALIKE)
+        why = f"a term of it is no larger than what is left out for {words}"
+        outcome = Outcome(UNDECIDED, why) if wrong is None else wrong.outcome
+        return outcome, question.context
     context = question.context
     fixed = {f"small {in_words(x)}" for x in context.letters - question.moving}
     accelerates = any(
@@ -75,18 +81,25 @@ def near_slip(question: Question) -> Slip | None:
     return slip(question, alike, "\\approx", most=NEARLY_ALIKE)
 
 
-def _is_alike(question: Question, both: Sequence[Pair], worlds: Worlds) -> bool:
-    return bool(_alike(question, both, worlds))
+def _is_alike(
+    question: Question, both: Sequence[Pair], worlds: Worlds, strictly: bool = False
+) -> bool:
+    return bool(_alike(question, both, worlds, strictly))
 
 
-def _alike(question: Question, both: Sequence[Pair], worlds: Worlds) -> str:
+def _alike(question: Question, both: Sequence[Pair], worlds: Worlds, strictly: bool = False) -> str:
+    """For what both sides become alike, `strictly` to the last term that is written."""
     if not worlds.count:
         return ""
-    words = {
-        nearly(left, right, question.equations, worlds, _scalings(question, worlds))
-        for left, right in both
-        if left != right
-    }
+    words = set()
+    for left, right in both:
+        if left == right:
+            continue
+        sides = left, right, question.equations, worlds
+        scaling = nearly(*sides, _scalings(question, worlds))
+        if scaling is None or (strictly and is_too_long(*sides, scaling)):
+            return ""
+        words.add(scaling.words)
     return words.pop() if len(words) == 1 else ""
 
 

@@ -118,6 +118,8 @@ class Context:
     """What is said to be no smaller than something else."""
     open: tuple[Constraint, ...] = ()
     """What letters are said to be in lines that are left open."""
+    accelerations: tuple[Constraint, ...] = ()
+    """Equations of motion that have been said."""
     little: tuple[frozenset[Letter], ...] = ()
     """Letters that are said to be much smaller than others, together at a time."""
     head: Node | None = None
@@ -180,7 +182,14 @@ class Context:
             if definition.lasts(scope) and (letter != TIME or is_open(definition.scope, scope))
         }
         open_here = tuple(each for each in self.open if is_open(each.scope, scope))
-        return replace(self, constraints=kept, definitions=definitions, open=open_here)
+        moved = tuple(each for each in self.accelerations if is_open(each.scope, scope))
+        return replace(
+            self,
+            constraints=kept,
+            definitions=definitions,
+            open=open_here,
+            accelerations=moved,
+        )
 
 
 def _reached(node: Node, definitions: Mapping[Letter, Definition]) -> list[Letter]:

@@ -8,7 +8,15 @@ from math import inf
 
 from sympy import Add
 
-from rigidtop.judge import approximations, definitions, faults, novelties, paths, settings
+from rigidtop.judge import (
+    approximations,
+    definitions,
+    faults,
+    novelties,
+    oscillations,
+    paths,
+    settings,
+)
 from rigidtop.judge.context import Constraint
 from rigidtop.judge.faults import NUMBERS
 from rigidtop.judge.laws import LAGRANGIANS, hamilton, lagrange
@@ -27,6 +35,10 @@ DOES_NOT_FOLLOW = "it does not follow from what stands above"
 
 def judged(question: Question) -> Judgement:
     """The outcome of an equation and the context behind it; raises UnclearError."""
+    return oscillations.with_meaning(question, _judged(question))
+
+
+def _judged(question: Question) -> Judgement:
     left, right = question.left, question.right
     origin = settings.origin(question)
     if origin is not None:

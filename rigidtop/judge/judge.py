@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
-from rigidtop.judge import approximations, bounds, equality, roots
+from rigidtop.judge import approximations, bounds, equality, places, roots
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import Constraint, Context, Definition
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
@@ -54,7 +54,7 @@ class Judge:
     def judged(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
         """What becomes of a statement, and what is known after it."""
         context = context.moved(moving_in(statement))
-        outcome, after = self._in_context(statement, situation, context)
+        outcome, after = self._in_place(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
         if situation.asked and not outcome.passed:
             return Outcome(UNDECIDED, "it is asked, or denied"), doubting
@@ -82,6 +82,19 @@ class Judge:
         )
 
     # --- the contexts in which it may be meant ---------------------------------------------------
+
+    def _in_place(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
+        """The outcome where new letters are values at one place, if it follows or fails so."""
+        usual = self._in_context(statement, situation, context)
+        if situation.balanced:
+            situation = replace(situation, instant="")
+        there = places.placed(statement, situation, context)
+        if there is None or usual[0].passed is not None:
+            return usual
+        outcome, after = self._in_context(statement, situation, there)
+        if outcome.passed:
+            return outcome, usual[1]
+        return (outcome, after) if outcome.slip else usual
 
     def _in_context(
         self, statement: Statement, situation: Situation, context: Context
@@ -173,6 +186,7 @@ class Judge:
                     right, inner = statement.sides[-1], statement.continues
                 question = self._question(left, right, situation, context, inner)
                 outcome, context = _related(question, relation)
+                context = _accelerated(question, outcome, context)
                 if outcome.verdict == FALSE and len(statement.relations) > 1:
                     where = f"{in_words(left)} {relation} {in_words(right)}"
                     outcome = replace(outcome, why=f"{where}: {outcome.why}")
@@ -223,6 +237,17 @@ def _with_open(statement: Statement, at: Situation, context: Context) -> Context
         return context
     supposed = Constraint(left, right, at.number, SUPPOSED, at.scope)
     return replace(context, open=(*context.open, supposed))
+
+
+def _accelerated(question: Question, outcome: Outcome, context: Context) -> Context:
+    """What is known with an equation of motion; if one is wrong or open, none is."""
+    sides = question.left, question.right
+    if not any(isinstance(x, n.Rate) and x.order == 2 for side in sides for x in n.walked(side)):
+        return context
+    if outcome.verdict in (FALSE, UNDECIDED):
+        return replace(context, accelerations=())
+    equation = Constraint(*sides, question.at.number, SUPPOSED, question.at.scope)
+    return replace(context, accelerations=(*context.accelerations, equation))
 
 
 def _related(question: Question, relation: str) -> Judgement:

@@ -256,8 +256,8 @@ def conjugates(names: frozenset[Letter]) -> list[tuple[Letter, Letter]]:
     pairs = [
         (q, p)
         for p in sorted(names, key=str)
-        for q in (Letter(p.sub), Letter("q", p.sub), Letter("x", p.sub))
-        if p.base == "p" and q in names
+        for q in (Letter(p.sub), Letter("q", p.sub), Letter("x", p.sub), Letter("Q", p.sub))
+        if p.base == ("P" if q.base == "Q" else "p") and q in names
     ]
     return pairs if len({p for _, p in pairs}) == len(pairs) else []
 

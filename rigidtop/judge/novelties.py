@@ -12,7 +12,7 @@ from rigidtop.judge.context import FORCED, LAW, PREMISE, SETTING, Definition
 from rigidtop.judge.faults import is_worked_out, slip
 from rigidtop.judge.jets import TIME, jet_of, rate
 from rigidtop.judge.laws import LAGRANGIANS, highest, lagrange
-from rigidtop.judge.meaning import Meant, is_vector
+from rigidtop.judge.meaning import Meant, is_component, is_vector
 from rigidtop.judge.outcome import DEFINITION, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes
@@ -102,8 +102,14 @@ def _brings_a_function(question: Question) -> bool:
 def _rate_follows(question: Question, letter: Letter) -> bool:
     """Whether the rates of both sides agree, so that the new letter is their difference."""
     x = alone(letter)
+    vectors = question.context.habits.vectors
     still = letter not in question.moving and not is_vector(letter)
-    if not still or question.at.instant or question.path is not None:
+    if (
+        any(is_component(letter, x) for x in vectors)
+        or not still
+        or question.at.instant
+        or question.path is not None
+    ):
         return False
     rates = [rate(gap, question.moving) for gap in question.gaps]
     speaks = any(gap.has(x) for gap in question.gaps) and not any(r.has(x) for r in rates)

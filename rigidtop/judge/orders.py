@@ -11,9 +11,9 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
-from sympy import Expr, Symbol
+from sympy import Add, Expr, Symbol
 
-from rigidtop.judge.jets import jet_of
+from rigidtop.judge.jets import jet_of, operations
 from rigidtop.judge.laws import highest
 from rigidtop.judge.program import Array, Program, Steps, UnknownFunctionError
 from rigidtop.judge.worlds import Worlds, least
@@ -29,6 +29,9 @@ LITTLE = 2e-3
 
 
 _LAST = (STEPS - 2, STEPS - 1)
+LONGEST = 200
+"""A side with more operations is not taken apart into its terms."""
+
 STAYS = 0.7
 """A share that is no less than this much of the one a step before does not go to zero."""
 
@@ -48,12 +51,33 @@ def nearly(
     equations: Sequence[Expr],
     worlds: Worlds,
     tried: Iterable[Scaling],
-) -> str:
-    """For what both sides become alike, in words; nothing where for none that is tried."""
+) -> Scaling | None:
+    """For what both sides become alike; None where for none that is tried."""
     for scaling in tried:
         if _tends(left, right, equations, worlds, scaling):
-            return scaling.words
-    return ""
+            return scaling
+    return None
+
+
+def is_too_long(
+    left: Expr, right: Expr, equations: Sequence[Expr], worlds: Worlds, scaling: Scaling
+) -> bool:
+    """Whether a term of the right side becomes no larger than what is left out."""
+    terms = Add.make_args(right.expand()) if operations(right) < LONGEST else (right,)
+    if len(terms) < 2:
+        return False
+    shares = []
+    for k in _LAST:
+        settled, _ = _settled(tuple(equations), worlds, scaling, k)
+        if settled is None:
+            return False
+        values = np.abs(Program(worlds.letters, settled).values([left - right, *terms]).values)
+        with np.errstate(all="ignore"):
+            shares.append(values[0] / values[1:].min(axis=0))
+    before, last = shares
+    if not np.isfinite(shares).all():
+        return False
+    return bool(((last > LITTLE) & (last >= STAYS * before)).all())
 
 
 def differ(

@@ -7,7 +7,7 @@ from dataclasses import replace
 from sympy import Expr, MatrixBase
 
 from rigidtop.judge.context import Context, Definition
-from rigidtop.judge.jets import TIME, Jet, rate, symbol
+from rigidtop.judge.jets import TIME, Jet, jets, rate, symbol
 from rigidtop.judge.laws import Residual, residuals
 from rigidtop.judge.meaning import Meant
 from rigidtop.judge.question import Pair, Path, Premises, Question
@@ -23,16 +23,40 @@ def path_of(question: Question) -> Path | None:
     letter, _ = named(question.left)
     if letter is None or question.at.instant or letter not in question.moving:
         return None
-    value = question.meaning().value(question.right)
-    context = question.context
-    if letter in context.definitions and not question.meaning().value(letter).has(TIME):
+    value, node = question.meaning().value(question.right), question.right
+    if isinstance(value, MatrixBase) or not value.has(TIME):
         return None
-    if isinstance(value, MatrixBase) or not value.has(TIME) or speaks_of(value, letter):
+    context, at = question.context, question.at
+    if letter in context.definitions:
+        meant = question.meaning().value(letter)
+        place = None if isinstance(meant, MatrixBase) else _place_of(question, meant)
+        if place is not None:
+            letter, value = place, _solved(meant, value, place)
+            node = Meant(value)
+        elif not meant.has(TIME):
+            return None
+    if speaks_of(value, letter):
         return None
-    before = context.forgetting(letter)
-    at = question.at
-    definition = Definition(question.right, at.number, at.scope, motion=True)
-    return Path(letter, value, before, definition)
+    definition = Definition(node, at.number, at.scope, motion=True)
+    return Path(letter, value, context.forgetting(letter), definition)
+
+
+def _place_of(question: Question, meant: Expr) -> Letter | None:
+    """The one letter that moves of which another one is a linear function, as of x in u = x − a."""
+    moving = [x for x in jets(meant) if question.moves(x)]
+    if len(moving) != 1 or meant.has(TIME):
+        return None
+    [x] = moving
+    jet = jets(meant)[x]
+    linear = meant.diff(x) != 0 and not meant.diff(x).has(x)
+    plain = not (jet.order or jet.place or jet.instant)
+    return jet.letter if linear and plain else None
+
+
+def _solved(meant: Expr, value: Expr, letter: Letter) -> Expr:
+    """What a letter is where a linear function of it has a value."""
+    x = symbol(Jet(letter))
+    return (value - meant.subs(x, 0)) / meant.diff(x)
 
 
 def laws(question: Question) -> list[Residual]:

@@ -161,10 +161,10 @@ class Question:
 
         They are another problem's. None where no world is found so either.
         """
-        constraints = {r.constraint for r in self.grounds.near if r.constraint is not None}
+        near = {r.constraint for r in self.grounds.near}
         scope = self.at.scope
         order = sorted(
-            constraints,
+            (each for each in self.context.constraints if each in near),
             key=lambda c: (scope[: len(c.scope)] == c.scope, c.kind != SETTING, c.number),
         )
         kept = self.context

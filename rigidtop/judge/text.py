@@ -11,6 +11,7 @@ from functools import lru_cache
 from math import inf
 from typing import Final
 
+from rigidtop.judge.ahead import explained_first
 from rigidtop.judge.context import TIME, Context, Habits
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS, conjugates
@@ -18,7 +19,8 @@ from rigidtop.judge.meaning import is_component
 from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.situation import Situation
-from rigidtop.read.cues import Cue
+from rigidtop.judge.starts import COORDINATES, START, at_rest
+from rigidtop.read.cues import Cue, ends_moment
 from rigidtop.read.declared import declared
 from rigidtop.read.macros import Macro, Macros, customary, defined
 from rigidtop.read.passages import Passage, passages
@@ -75,7 +77,10 @@ class Asked:
 
 @dataclass(frozen=True)
 class Reading:
-    """All that a text asks, how it uses its letters, and which ones its words introduce."""
+    """All that a text asks, how it uses its letters, and which ones its words introduce.
+
+    What says what a letter stands for is asked before what has the letter.
+    """
 
     asked: tuple[Asked, ...]
     habits: Habits
@@ -111,15 +116,20 @@ def folded(
     """The same, with what is known behind the last statement."""
     read = reading(source, macros, until)
     made = [*steps(read, until)]
-    rows = tuple(step.row for step in made if step.row is not None)
-    return rows, made[-1].context if made else Context(read.habits)
+    return rows_of(made), made[-1].context if made else Context(read.habits)
+
+
+def rows_of(made: Iterable[Step]) -> tuple[Row, ...]:
+    """What became of each statement, in the order of the text."""
+    rows = (step.row for step in made if step.row is not None)
+    return tuple(sorted(rows, key=lambda row: row.number))
 
 
 def reading(source: str, macros: Macros | None = None, until: float = inf) -> Reading:
     """What a text asks."""
     read, place = read_text(source, macros, until)
     cases = cases_of(read)
-    asked = tuple(
+    asked = (
         Asked(
             place(passage.start + each.position)[0],
             *(each, passage, number, moment, passage.start in cases),
@@ -127,7 +137,7 @@ def reading(source: str, macros: Macros | None = None, until: float = inf) -> Re
         for number, ((passage, each), moment) in enumerate(zip(read, instants(read), strict=True))
     )
     habits = habits_of([each for _, each in read if isinstance(each, Statement)])
-    return Reading(asked, habits, declared_letters(source))
+    return Reading(tuple(explained_first(asked)), habits, declared_letters(source))
 
 
 def steps(read: Reading, until: float = inf, made: Sequence[Step] = ()) -> Iterator[Step]:
@@ -166,6 +176,8 @@ def _step(
             return None, context
         each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
     context = context.within(passage.scope, passage.sentence)
+    if Cue.REST in passage.cues:
+        context = at_rest(context, asked.number, passage.scope)
     each, time_of_it = at_one_time(each, read.habits.moving)
     if time_of_it is not None:
         moment = instant_at(time_of_it)
@@ -327,6 +339,9 @@ def situation(
         asked=Cue.ASKED in cues,
         origin=Cue.ORIGIN in cues,
         anew=Cue.ANEW in cues,
+        oscillates=Cue.OSCILLATION in cues,
+        begins=Cue.REST in cues,
+        balanced=Cue.EQUILIBRIUM in cues,
         inline=not passage.display,
         opens=opens,
         declared=names,
@@ -355,11 +370,10 @@ def declared_letters(source: str) -> frozenset[Letter]:
 
 
 _STARTS = re.compile(
-    r"\b(start|begin|initial|at first|anfang|zu beginn|début|instant initial)", re.I
+    r"\b(start|begin|initial|at first|released|let go|dropped|anfang|zu beginn|losgelassen"
+    r"|début|lâché)",
+    re.I,
 )
-
-START = "start"
-"""The instant at which a motion begins."""
 
 
 def instants(read: Read) -> list[str]:
@@ -369,10 +383,12 @@ def instants(read: Read) -> list[str]:
     for passage, each in read:
         if passage.sentence != sentence:
             sentence, now = passage.sentence, ""
-        if Cue.GENERAL in passage.cues:
+        begun = passage.display and Cue.REST in passage.cues
+        if Cue.GENERAL in passage.cues or ends_moment(passage.before) or begun:
             now = ""
         elif Cue.MOMENT in passage.cues:
-            now = START if _STARTS.search(passage.before) else now or f"s{sentence}"
+            said = _STARTS.search(f"{passage.before} § {passage.behind}")
+            now = START if said else now or f"s{sentence}"
         if isinstance(each, Statement) and is_time(each) and now:
             value = each.sides[1]
             zero = isinstance(value, n.Number) and value.value == 0
@@ -486,6 +502,18 @@ def _conjugate(read: Sequence[Statement], moving: Collection[Letter]) -> set[Let
     return {x for pair in pairs for x in pair if {*pair} & {*moving}}
 
 
+def _parameters(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
+    """The letters that move what is said to be a function of them: u in s = 4a sin(u/2)."""
+    given = ((x.sides[0], x.sides[1]) for x in read if x.relations[:1] == ("=",))
+    parameters = set()
+    for name, value in given:
+        letters = n.letters(value)
+        if name in moving and not letters & {*moving, TIME} and not isinstance(value, Letter):
+            places = [x for x in letters if x.base in COORDINATES and not x.sub]
+            parameters |= {*places} if len(places) == 1 else set()
+    return parameters
+
+
 _PLACE = Letter("x")
 
 
@@ -517,6 +545,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     }
     moving |= _velocities(read)
     moving |= _conjugate(read, moving)
+    moving |= _parameters(read, moving)
     functions: dict[Letter, tuple[Node, ...]] = {}
     for call in calls:
         function = call.function.of if isinstance(call.function, n.Primed) else call.function

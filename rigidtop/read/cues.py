@@ -46,6 +46,12 @@ class Cue(Enum):
     """It says where a letter counts from: "§ is the lowest position"."""
     ANEW = auto()
     """It is what something is after a change: "the new energy is"."""
+    OSCILLATION = auto()
+    """It says how fast something oscillates: "the period is"."""
+    EQUILIBRIUM = auto()
+    """It holds in an equilibrium."""
+    REST = auto()
+    """Words since the formula before say that everything begins at rest: "released"."""
 
 
 _THE = r"(?:the|an?|its|our|their|some|der|die|das|dem|den|eine?[mnrs]?|les?|la|une?|l')"
@@ -114,7 +120,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"(?:^|[.;¶] ?)(?:the )?(?:lowest|highest|foremost|nearest) point\b[^§]*",
         r"\bat the (?:time|moment|instant) §[^§]*",
         r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
-        r"\b(?:initially|at first|at rest|started from rest)\b[^§]*",
+        r"\b(?:initially|at first|(?<!hangs )(?<!is )(?<!are )(?<!lies )at rest)\b[^§]*",
         r"\b(?:am (?:Anfang|Ende|Boden)|[ai]m (?:Umkehrpunkt|Scheitel|tiefsten Punkt|höchsten Punkt"
         r"|Moment)|oben|unten|zur Zeit|zum Zeitpunkt|anfangs|zu Beginn)\b[^§]*",
         r"\b(?:à l'instant|au (?:début|départ|sommet|point le plus (?:haut|bas))|initialement"
@@ -157,7 +163,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"\b(?:wrong|false|no longer true|untrue|incorrect|a mistake|falsch|faux)(?: (?:that"
         r"|to \w+(?: that)?)"
         r"|,? dass| que)?",
-        r"\b(?:show|prove|verify|is it true|why is|zeigen? (?:Sie|wir)?|beweisen?(?: Sie)?"
+        r"\b(?:(?:show|prove|verify)\b|is it true|why is|zeigen? (?:Sie|wir)?|beweisen?(?: Sie)?"
         r"|montre[rz]"
         r"|démontre[rz]|est-ce)(?: that|,? dass| que)?[^.]{0,60}",
     ),
@@ -183,6 +189,14 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
 WITHIN: dict[Cue, tuple[str, ...]] = {
     Cue.SMALL: (rf"\b{_SMALL}",),
     Cue.LARGE: (rf"\b{_LARGE}",),
+    Cue.EQUILIBRIUM: (
+        r"\b(?:equilibri(?:um|a)|(?:can|could) (?:stay|rest|remain)|(?:stays|rests|remains) at"
+        r"|Gleichgewicht\w*|Ruhelagen?|équilibre)\b",
+    ),
+    Cue.OSCILLATION: (
+        r"\b(?:\w*(?:frequen[cz]|fréquen|pulsation|oscill|vibrat|swing|schwing|librat|hunting|rolling)"
+        r"|periods?\b|Perioden?\b|périodes?\b)",
+    ),
     Cue.GENERAL: (
         r"\b(?:in general|generally|again|exact(?:ly)?|without (?:the |this )?approximations?"
         r"|on the other hand|for all (?:times?|t|§)|at (?:any|all|every) (?:times?|moment)"
@@ -208,7 +222,7 @@ BEHIND: dict[Cue, tuple[str, ...]] = {
         rf"{_AND}(?:are|remain|stay|sind|bleiben|sont|restent) (?:\w+ )?(?:the |des )?{_FIXED}",
         rf"{_AND}(?:both |all )?(?:fixed|const(?:ant)?|konst(?:ant)?|constante?s?|conserved|fest)"
         r"\b",
-        rf"{_AND}(?:does|do) not (?:change|depend on (?:the )?time)",
+        rf"{_AND}(?:does|do) not (?:change\b(?! under| with| if)|depend on (?:the )?time)",
         r",? ?(?:which )?(?:ändert sich nicht|ne (?:change|varie) pas|bleibt erhalten)",
     ),
     Cue.SMALL: (
@@ -233,6 +247,19 @@ BEHIND: dict[Cue, tuple[str, ...]] = {
 }
 """The words directly behind a formula."""
 
+_LET_GO = r"(?:released|let go|dropped|losgelassen|lâchée?s?|abandonnée?s?)"
+_REST = re.compile(
+    r"\b(?:(?:start|begin|falls?|moves? off|set(?:ting|s)? (?:off|out)|initially|released|dropped)"
+    r"\w*(?: [\w'-]+){0,3} (?:at|from|in) rest"
+    r"|(?:from rest|aus der Ruhe|(?:anfangs|zu Beginn|zunächst) (?:\w+ ){0,2}in Ruhe"
+    r"|ruht (?:anfangs|zu Beginn|zunächst)|part(?:ant|ent)? du repos|initialement au repos)"
+    r"|(?:without|ohne|sans)(?: \w+)?(?: initiale?r?)?"
+    r" (?:push|velocity|speed|\w*[Gg]eschwindigkeit|Stoß|Schwung|vitesse|impulsion)"
+    rf"|{_LET_GO}(?![^.;]{{0,80}}\b(?:with|mit|avec)\b))\b",
+    re.I,
+)
+
+
 INLINE: dict[Cue, tuple[str, ...]] = {
     Cue.MOMENT: (
         r"(?<!look )(?<!arrive )(?<!is )(?<!are )(?<!lies )\b(?:at|at (?:the )?(?:time|moment"
@@ -245,7 +272,7 @@ INLINE: dict[Cue, tuple[str, ...]] = {
     ),
     Cue.DEFINED: (r"(?<!agrees )(?<!compare )(?<!comparing )\b(?:with|mit|avec)",),
     Cue.CASE: (
-        r"\b(?:if|only if|in the (?:special )?case[^§.;:]{0,50}"
+        r"\b(?:if|only if|in (?:the|this|a)(?: \w+)? case[^§.;:]{0,50}"
         r"|provided(?: that)?|as long as|falls|sofern|solange|wenn|im Fall(?:e)?(?: dass)?"
         r"|si|pourvu que|dans le cas)",
         rf"{_START}(?:for|on|during|für|pour|sur)"
@@ -256,6 +283,7 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"(?:, [^,;:.(§]{1,24})?",
         rf"{_START}for the(?! {_QUANTITY})(?: (?!the\b|at\b)[\w'-]+){{1,5}}",
         rf"{_START}(?:for|für|pour)",
+        r"(?:^|[.¶] ?)(?:when|if|wenn|falls|si|lorsque|quand) [^,;:.§]{1,60},",
         rf"{_START}(?:without|ohne|sans) [^,;:.§]{{1,30}},?",
         r"\b(?:if|when|wenn|falls|si|lorsque) [^.;:]{1,150}[ ,](?:then|dann|alors)",
         rf"{_START}on the (?!other|one)[\w -]{{1,20}},",
@@ -325,6 +353,8 @@ def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
             heard = heard - {Cue.ORIGIN}
         if _WHERE.search(before) and _VANISHING.search(text):
             heard = heard - {Cue.DEFINED} | {Cue.MOMENT}
+    if Cue.ORIGIN in heard:
+        heard = heard - {Cue.EQUILIBRIUM}
     return unequal(frozenset(heard), text, display)
 
 
@@ -345,12 +375,28 @@ def passed_on(
     the one and the other stand on a line of their own.
     """
     moment = heard & {Cue.MOMENT} if not _CONCLUSION.search(before) else frozenset()
+    moment |= heard & {Cue.EQUILIBRIUM, Cue.OSCILLATION}
     if not enumerates(before):
         return moment
     clause = _CLAUSE.fullmatch(before) and _INLINE[Cue.CASE].search(opening)
     if display != follower or clause or not before.strip():
         return heard - _PREMISES
     return heard - {Cue.CONSTANT} | ({Cue.CASE} if Cue.CONDITION in heard else set())
+
+
+def ends_moment(before: str) -> bool:
+    """Whether words between two formulas say when the first one holds: "§ at the start, §"."""
+    match = _BEHIND[Cue.MOMENT].match(before)
+    return match is not None and before[match.end() :].strip(" ,") == ""
+
+
+def begins_at_rest(words: str) -> bool:
+    """Whether words say that everything begins at rest.
+
+    >>> begins_at_rest("Released at § without velocity,"), begins_at_rest("let go with a speed")
+    (True, False)
+    """
+    return _REST.search(words) is not None
 
 
 def enumerates(before: str) -> bool:

@@ -9,10 +9,18 @@ x = 0 1 At the start MOMENT
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from rigidtop.read.cues import Cue, cues, enumerates, passed_on, unequal
+from rigidtop.read.cues import (
+    Cue,
+    begins_at_rest,
+    cues,
+    ends_moment,
+    enumerates,
+    passed_on,
+    unequal,
+)
 from rigidtop.read.left import states
 from rigidtop.read.prose import Prose
 from rigidtop.read.walk import Formula
@@ -53,7 +61,12 @@ def passages(source: str, plain: bool = False) -> tuple[Passage, ...]:
         )
         for number, formula in enumerate(prose.formulas)
     ]
-    return tuple(_approximated(_cued([_completed(passage) for passage in made])))
+    resting = (begins_at_rest(prose.since(number)) for number in range(len(made)))
+    cued = _approximated(_together([*_cued([_completed(passage) for passage in made])]))
+    return tuple(
+        replace(passage, cues=passage.cues | {Cue.REST}) if rests else passage
+        for passage, rests in zip(cued, resting, strict=True)
+    )
 
 
 def _completed(passage: Passage) -> Passage:
@@ -73,6 +86,8 @@ def _cued(made: Sequence[Passage]) -> Iterator[Passage]:
             between = (passage.before, last.display, passage.display)
             heard |= passed_on(last.cues, opening, *between)
             heard = unequal(heard, passage.text, passage.display)
+            if Cue.MOMENT in last.cues and ends_moment(passage.before):
+                heard -= {Cue.MOMENT}
         passage = replace(passage, cues=heard)
         yield passage
         if states(Formula(passage.text, 0, 0, passage.display)):
@@ -80,7 +95,27 @@ def _cued(made: Sequence[Passage]) -> Iterator[Passage]:
             opening = opening if enumerates(passage.before) else passage.before
 
 
-def _approximated(made: Iterator[Passage]) -> Iterator[Passage]:
+def _together(made: Sequence[Passage]) -> Iterator[Passage]:
+    """Passages; what is said behind the last of a list, as "at the start", is said of all of it."""
+    after: Passage | None = None
+    together = []
+    for passage in reversed(made):
+        if (
+            after is not None
+            and Cue.MOMENT in after.cues
+            and not (passage.display or after.display)
+            and after.sentence == passage.sentence
+            and after.before.strip()
+            and enumerates(after.before)
+        ):
+            behind = passage.behind + after.behind
+            passage = replace(passage, cues=passage.cues | {Cue.MOMENT}, behind=behind)
+        together.append(passage)
+        after = passage
+    return reversed(together)
+
+
+def _approximated(made: Iterable[Passage]) -> Iterator[Passage]:
     """Passages; those behind what is small, up to the end of its scope, are approximated."""
     scope: tuple[int, ...] | None = None
     for passage in made:

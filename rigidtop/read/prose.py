@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 
 from rigidtop.read.left import states
@@ -91,6 +91,13 @@ class Prose:
         if i < len(self.stated):
             end = min(end, self.stated[i])
         return _shown(self.text[start:place]), _shown(self.text[place + 1 : end])
+
+    def since(self, number: int) -> str:
+        """The words of its scope since the statement before, in other sentences too."""
+        place = self.places[number]
+        stated = bisect_left(self.stated, place)
+        start = max(self.stated[stated - 1] + 1 if stated else 0, place - LONGEST)
+        return _shown(self.text[start:place].rpartition("\f")[2])
 
     def near(self, number: int) -> tuple[str, str]:
         """The words around a formula between two displays, with = for what says something."""

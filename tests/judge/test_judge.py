@@ -339,6 +339,62 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 . x = l\sin\theta
 + \dot x = l\dot\theta\cos\theta
 - \dot x = l\dot\theta\sin\theta
+
+# a start that words tell
+. m\dot v = mg - cv^2
+. v_\infty = \sqrt{\frac{mg}c}
+> Released from rest it has the speed
++ v = v_\infty\tanh\frac{gt}{v_\infty}
+- v = v_\infty\tanh\frac{gt}{2v_\infty}
+
+# an energy at the start
+. \ddot\phi = -\frac{2g}{3b}\sin\phi
+> Released at $\phi = \alpha$ without velocity
++ \dot\phi^2 = \frac{4g}{3b}(\cos\phi - \cos\alpha)
+- \dot\phi^2 = \frac{4g}{3b}(\cos\phi + \cos\alpha)
+
+# an angle at which it starts
+. \ddot\phi = -\frac{2g}{3b}\sin\phi
+> It is let go at $\phi_0$:
++ \dot\phi^2 = \frac{4g}{3b}(\cos\phi - \cos\phi_0)
+
+# two conditions at the start
+. \ddot\theta = -k\sin\theta
+> If $\theta = 0$ and $\dot\theta = w$ at the start,
++ \dot\theta^2 = w^2 - 2k(1 - \cos\theta)
+- \dot\theta^2 = w^2 + 2k(1 - \cos\theta)
+
+# an equilibrium
+. L = \frac12ml^2(\dot\theta^2 + w^2\sin^2\theta) + mgl\cos\theta
+> In equilibrium, at $\theta_0\ne0$,
++ \cos\theta_0 = \frac g{lw^2}
+- \cos\theta_0 = \frac g{lw}
+
+# a value at a place
+. v^2 = \mu\left(\frac2r - \frac1a\right)
+> At $r = q$ the speed is
++ v_q^2 = \mu\frac{2a - q}{qa}
+- v_q^2 = \mu\frac{2a + q}{qa}
+
+# the frequency of an oscillation
+. A\ddot\phi = -\left(c + \frac{h^2}B\right)\phi
+> The period of rolling is
++ \tau = 2\pi\sqrt{\frac{AB}{cB + h^2}}
+- \tau = 2\pi\sqrt{\frac{AB}{c + h^2}}
+
+# the frequency of small oscillations
+. J\ddot\phi = (m_2b - m_1a)g\cos\phi - Mgs\sin\phi
+> When the children balance, $m_1a = m_2b$, small swings have
++ \omega^2 = \frac{Mgs}J
+- \omega^2 = \frac{Mgs}{2J}
+
+# every term that is kept
+> For small $x$
+~ \frac1{(1 - x)^2}\approx 1 + 2x
+- \frac1{(1 - x)^2}\approx 1 - 2x
+~ \sin x\approx x - \frac{x^3}6
+- \sin x\approx x + \frac{x^3}6
+~ \cos x\approx 1
 """
 """A line that begins with "." is taken as it stands, one with "+" follows, and one with "~" nearly.
 

@@ -284,6 +284,14 @@ def test_what_becomes_of_a_line(text, lines):
     assert {line: passed[line] for line in lines} == {line: {x} for line, x in lines.items()}
 
 
+@pytest.mark.parametrize("behind", [r", \quad w^2 = k/m$$", "$$ where $w^2 = k/m$"])
+@pytest.mark.parametrize(("sign", "verdict"), [("-", "sampled"), ("+", "false")])
+def test_a_letter_may_be_explained_behind(behind, sign, verdict):
+    rows = judged(rf"$$m\ddot x = -kx$$ so $$\ddot x = {sign}w^2x{behind}")
+    assert [row.outcome.verdict for row in rows] == ["premise", verdict, "premise"]
+    assert [row.number for row in rows] == [0, 1, 2]
+
+
 def test_in_a_single_world_no_slip_is_found(monkeypatch):
     found = worlds.found
 

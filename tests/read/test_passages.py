@@ -156,6 +156,11 @@ CUES = {
     "La position d'équilibre est $x=0$.": ["ORIGIN"],
     "Choose the axes so that $a=0$ and $b=c$. So $d=e$": ["CASE DERIVED"] * 2 + ["DERIVED"],
     "A new problem is harder. There $a=b$": [""],
+    "In equilibrium $a=b$ with $$c=d$$": ["EQUILIBRIUM", "DEFINED EQUILIBRIUM"],
+    "The period of the swing is $$a=b$$": ["OSCILLATION"],
+    "A stone is let go. After a while $a=b$ and $c=d$": ["REST", ""],
+    "Released at $x=a$ without velocity, it has $$a=b$$": ["MOMENT REST", "MOMENT REST"],
+    "If $a=b$ and $c=d$ at the start, $$e=f$$": ["CASE MOMENT", "CASE MOMENT", ""],
 }
 
 

@@ -1,0 +1,74 @@
+"""Definitions that stand behind what they explain: "F = μ g, where μ = …"."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import groupby
+from typing import Protocol, TypeVar
+
+from rigidtop.read.cues import Cue
+from rigidtop.read.passages import Passage
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter
+from rigidtop.tree.statement import Statement, Unread
+
+
+class Placed(Protocol):
+    """A statement with what stands around it."""
+
+    @property
+    def statement(self) -> Statement | Unread: ...
+    @property
+    def passage(self) -> Passage: ...
+
+
+S = TypeVar("S", bound=Placed)
+
+
+def explained_first(text: Iterable[S]) -> Iterator[S]:
+    """Statements in the order in which they can be understood.
+
+    What only says what a new letter of its sentence stands for goes before the statement that has
+    the letter.
+    """
+    known: set[Letter] = set()
+    for _, sentence in groupby(text, key=lambda each: each.passage.sentence):
+        ordered: list[S] = []
+        for each in sentence:
+            ordered.insert(_place(each, ordered, known), each)
+        for each in ordered:
+            known |= _letters(each)
+        yield from ordered
+
+
+def _place(each: Placed, sentence: Sequence[Placed], known: Collection[Letter]) -> int:
+    """Before which statement of its sentence one has to stand: the last place if none needs it."""
+    name = _explained(each, sentence)
+    places = [k for k, other in enumerate(sentence) if name in _letters(other)]
+    if name is None or name in known or not places or _named(sentence[places[0]]) == name:
+        return len(sentence)
+    return places[0]
+
+
+def _explained(each: Placed, sentence: Sequence[Placed]) -> Letter | None:
+    """The letter of which it says what it is, behind "where" or in the same display."""
+    together = any(other.passage.start == each.passage.start for other in sentence)
+    return _named(each) if together or Cue.DEFINED in each.passage.cues else None
+
+
+def _named(each: Placed) -> Letter | None:
+    """The letter, or the one of which the square, a statement gives a value."""
+    if not isinstance(each.statement, Statement) or each.statement.relations[:1] != ("=",):
+        return None
+    match each.statement.sides[0]:
+        case Letter() as letter:
+            return letter
+        case n.Power(Letter() as letter, n.Number()):
+            return letter
+    return None
+
+
+def _letters(each: Placed) -> frozenset[Letter]:
+    if not isinstance(each.statement, Statement):
+        return frozenset()
+    return frozenset().union(*map(n.letters, each.statement.sides))

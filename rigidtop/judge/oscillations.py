@@ -1,0 +1,107 @@
+"""Frequencies and periods: are they those of the oscillation that stands above?"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+
+from sympy import Expr, pi
+
+from rigidtop.judge.context import LAW
+from rigidtop.judge.faults import slip
+from rigidtop.judge.jets import jets, symbol
+from rigidtop.judge.meaning import UnclearError
+from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED
+from rigidtop.judge.question import Judgement, Pair, Question
+from rigidtop.judge.worlds import Worlds
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+
+FREQUENCIES, PERIODS = frozenset("ωΩνnf"), frozenset("TτP")
+"""Letters that a text takes for them where its words speak of an oscillation."""
+
+
+def with_meaning(question: Question, judgement: Judgement) -> Judgement:
+    """What becomes of a new frequency or period, where an oscillation stands above.
+
+    It follows from that, or has a slip.
+    """
+    outcome, context = judgement
+    if outcome.verdict not in (DEFINITION, PREMISE) or not question.at.oscillates:
+        return judgement
+    name = _named(question.left)
+    if name is None or name in question.context.definitions:
+        return judgement
+    squares = [*_squares(question)]
+    for grounds, square in squares:
+        wide = question.of([*question.both, (square, square)])
+        if _agrees(question, square, question.both, wide.worlds):
+            rests_on = wide.rests_on | grounds
+            return replace(outcome, verdict=SAMPLED, why="", rests_on=rests_on), context
+    if squares:
+        grounds, square = squares[-1]
+        others = [(square, other) for _, other in squares]
+        wide = question.of([*question.both, *others])
+        if not wide.worlds.holds(others):
+            return judgement  # it may be that of another one
+        wrong = slip(wide, partial(_agrees, question, square))
+        if wrong is not None:
+            rests_on = wide.rests_on | grounds
+            return replace(wrong.outcome, rests_on=rests_on), context
+    return judgement
+
+
+def _squares(question: Question) -> list[tuple[frozenset[int], Expr]]:
+    """The squares of the frequencies with which what stands above oscillates, with what says so."""
+    equations = []
+    for each in question.context.accelerations:
+        with suppress(UnclearError):
+            gap = question.meaning().scalar(each.left) - question.meaning().scalar(each.right)
+            equations.append((gap, frozenset({each.number})))
+    laws = [(x.expression, x.rests_on) for x in question.pool if x.kind == LAW]
+    squares = []
+    for gap, rests_on in equations or laws:
+        square = _square(gap, question)
+        if square is not None:
+            squares.append((rests_on, square))
+    return squares
+
+
+def _square(gap: Expr, question: Question) -> Expr | None:
+    """The square of the frequency of an equation of one letter; None where it is none."""
+    moving = [x for x in jets(gap).values() if x.order or x.letter in question.moving]
+    places = {replace(x, order=0) for x in moving}
+    if len(places) != 1 or max(x.order for x in moving) != 2:
+        return None
+    [place] = places
+    q, rate, acceleration = (symbol(replace(place, order=k)) for k in range(3))
+    linear = all(gap.diff(x, y) == 0 for x in (q, rate, acceleration) for y in (q, rate))
+    rest = dict.fromkeys((q, rate, acceleration), 0)
+    here = gap.subs(rest)
+    small = linear or (question.at.small and question.of([(here, 0 * here)]).holds())
+    if gap.diff(rate).subs(rest) != 0 or not small:
+        return None
+    inertia = gap.diff(acceleration).subs(rest)
+    return gap.diff(q).subs(rest) / inertia if inertia != 0 else None
+
+
+def _agrees(question: Question, square: Expr, both: Sequence[Pair], worlds: Worlds) -> bool:
+    """Whether the right side is the frequency, or the period, or its square."""
+    left, right = both[0]
+    if left != question.both[0][0]:
+        return False
+    name = _named(question.left)
+    assert name is not None
+    value = right if isinstance(question.left, n.Power) else right**2
+    wanted = [4 * pi**2 / square] if name.base in PERIODS else [square]
+    wanted += [square / (4 * pi**2)] if name.base in "fν" else []
+    return any(worlds.holds([(value, x)]) for x in wanted)
+
+
+def _named(side: Node) -> Letter | None:
+    """The letter of a frequency or a period that a side, or its root, is."""
+    name = side.base if isinstance(side, n.Power) and side.exponent == n.Number("2") else side
+    letters = FREQUENCIES | PERIODS
+    return name if isinstance(name, Letter) and name.base in letters else None

@@ -1,0 +1,38 @@
+"""Starts that a text tells in words alone."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rigidtop.judge.context import SETTING, Constraint, Context
+from rigidtop.tree.nodes import Letter, Node, Number, Rate
+
+START = "start"
+"""The instant at which a motion begins."""
+
+COORDINATES = frozenset("xyzrsqhuldℓηξζθφψαβγδχρσ")
+_SPEEDS = frozenset("vω")
+"""What these letters stand for where something has a rate: places and angles, and how fast."""
+_EULER = frozenset({Letter("φ"), Letter("θ"), Letter("ψ")})
+
+
+def at_rest(context: Context, number: int, scope: tuple[int, ...]) -> Context:
+    """What is known where everything begins at rest; a top that is let go may turn about its axis.
+
+    The clock starts then, if nothing else is said of it.
+    """
+    moving = context.habits.moving - context.definitions.keys()
+    for letter in sorted(moving, key=str):
+        still = _still(letter)
+        if still is None or (moving >= _EULER and letter == Letter("ψ")):
+            continue
+        start = Constraint(still, Number("0"), number, SETTING, scope, START)
+        context = context.holding(start)
+    return replace(context, instants={START: Number("0"), **context.instants})
+
+
+def _still(letter: Letter) -> Node | None:
+    """What vanishes at rest of a letter that moves; None if that is not seen by its name."""
+    if letter.base in COORDINATES:
+        return Rate(letter, 1, True)
+    return letter if letter.base in _SPEEDS and letter.sub not in {*"123"} else None
