@@ -164,6 +164,17 @@ class FreeModel(Model):
             columns.append(vectors.reshape(off[..., 1:].shape))
         return np.concatenate(columns, axis=-1)
 
+    def settled(self, parameters: Floats) -> Floats:
+        """A turned body has its moments in any order: each axis is the nearest of the sensor's."""
+        if not self.turned or any(self.given):
+            return parameters
+        (moments,), (omega,), axes, rest = self.parts(parameters[None])
+        turn = axes.as_matrix()[0]
+        nearest, principal = inertia.principal(turn @ np.diag(moments) @ turn.T)
+        logs = np.log(np.array(nearest) / nearest[2])[:2]
+        rates = principal.inv().apply(turn @ omega)
+        return np.concatenate([logs, rates, (self.guess[1].inv() * principal).as_rotvec(), rest[0]])
+
     def telling(self, parameters: Floats) -> Floats:
         return np.ones(self.held.count(None))
 

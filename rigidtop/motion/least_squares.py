@@ -111,6 +111,10 @@ class Model(ABC):
     def motion(self, parameters: Floats, values: dict[str, float], since: float) -> Motion:
         """The motion at t = 0, with a first time `since`."""
 
+    def settled(self, parameters: Floats) -> Floats:
+        """Of parameters that make the same motion those whose names are right."""
+        return parameters
+
     @abstractmethod
     def quantities(self, parameters: Floats) -> dict[str, Floats]:
         """What is told, (P,) by name."""
@@ -190,7 +194,7 @@ def solved(model: Model) -> tuple[Floats, Floats]:
     parameters = _searched(model, weights)
     for _ in range(3):  # the noise of each instrument comes from what the last fit leaves
         end = _descended(model, parameters, slice(None), weights, 200)
-        parameters = end.x
+        parameters = model.settled(end.x)
         residuals = end.fun.reshape(still.shape) / weights
         weights = 1 / _sizes(model, residuals)
     left = float(np.square(residuals * weights).sum())
