@@ -16,7 +16,7 @@ from rigidtop.terminal.files import text_of
 if TYPE_CHECKING:
     from rigidtop.motion.attitude import Floats
 
-MOST_ROWS = 20_000
+MOST_ROWS = 10_000
 """What is longer is no flight, and would take minutes."""
 
 CLOCKS = ("seconds_elapsed", "time", "t")

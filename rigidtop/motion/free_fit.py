@@ -45,8 +45,8 @@ class FreeFit(Fit):
 
 
 TUMBLES = (
-    "the moments cannot be known from this: ω hardly changes but by noise, as where the spin is "
-    "along a principal axis or the three moments are equal; let the body tumble"
+    "the moments cannot be known from this: a body that tumbles explains ω hardly better than a "
+    "constant ω, as where the spin is along a principal axis or the three moments are equal"
 )
 
 

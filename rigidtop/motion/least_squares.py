@@ -33,8 +33,11 @@ WINDOWS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0)
 SIGNIFICANT = 100.0
 """By so many variances a motion must be better than one that tells no moments."""
 
-VAGUE = 0.5
-"""A relative error from which on nothing is known."""
+RANK = 1e-9
+"""Of slopes that are as good as `STEP` leaves them."""
+
+VAGUE = 0.2
+"""A relative error from which on a linear estimate of it means little."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -193,25 +196,31 @@ def solved(model: Model) -> tuple[Floats, Floats]:
     weights = 1 / _sizes(model, still)
     parameters = _searched(model, weights)
     for _ in range(3):  # the noise of each instrument comes from what the last fit leaves
-        end = _descended(model, parameters, slice(None), weights, 200)
+        end = _descended(model, parameters, slice(None), weights, 60)
         parameters = model.settled(end.x)
         residuals = end.fun.reshape(still.shape) / weights
         weights = 1 / _sizes(model, residuals)
     left = float(np.square(residuals * weights).sum())
     variance = left / (still.size - len(parameters))
+    if np.square(still * weights).sum() - left < SIGNIFICANT * variance:
+        raise RigidtopError(model.unknown)
     slopes = _slopes(lambda p: model.residuals(p, slice(None), weights), parameters)
-    norms = np.linalg.norm(slopes, axis=0)
-    if np.square(still * weights).sum() - left < SIGNIFICANT * variance or not norms.all():
-        raise RigidtopError(model.unknown)
-    _, singular, across = np.linalg.svd(slopes / norms, full_matrices=False)
-    if singular[-1] < 1e-9 * singular[0]:
-        raise RigidtopError(model.unknown)
-    inverse = across.T / singular / norms[:, None]
-    covariance: Floats = variance * inverse @ inverse.T
+    covariance = variance * _inverse(slopes, model.unknown)
     scales = model.telling(parameters)
     if np.any(np.sqrt(np.diag(covariance))[: len(scales)] > VAGUE * scales):
         raise RigidtopError(model.unknown)
     return parameters, covariance
+
+
+def _inverse(slopes: Floats, unknown: str) -> Floats:
+    """(JᵀJ)⁻¹ of slopes J (rows, n); RigidtopError where some parameters change nothing."""
+    norms = np.linalg.norm(slopes, axis=0)
+    _, singular, across = np.linalg.svd(slopes / np.where(norms, norms, 1.0), full_matrices=False)
+    if singular[-1] < RANK * singular[0]:
+        raise RigidtopError(unknown)
+    root = across.T / singular / norms[:, None]
+    inverse: Floats = root @ root.T
+    return inverse
 
 
 def told(model: Model, parameters: Floats, covariance: Floats) -> tuple[dict[str, float], Floats]:

@@ -35,8 +35,8 @@ GRAVITY = 9.81
 """g of the top that is made (m/s²); only MgR counts."""
 
 NUTATES = (
-    "λ₃ω₃/λ₁ and MgR/λ₁ cannot be known from this: θ hardly changes but by noise, and a steady "
-    "precession tells one relation of both; let the top nutate"
+    "λ₃ω₃/λ₁ and MgR/λ₁ cannot be known from this: a top that nutates explains the angles hardly "
+    "better than a steady precession, which tells one relation of both"
 )
 
 
