@@ -11,11 +11,14 @@ if TYPE_CHECKING:
 
     from rigidtop.errors import NoSteadyPrecession, RigidtopError
     from rigidtop.motion.body import FreeBody, HeavyBody
+    from rigidtop.motion.fit import fit
+    from rigidtop.motion.free_fit import FreeFit
     from rigidtop.motion.many import FreeMotions, TopMotions, free_motions, top_motions
     from rigidtop.motion.motion import Motion
     from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
     from rigidtop.motion.table.trajectory import SlidingTrajectory
     from rigidtop.motion.top import HeavyTop
+    from rigidtop.motion.top_fit import TopFit
     from rigidtop.motion.trajectory import Trajectory
     from rigidtop.system.motion import SystemMotion, SystemTrajectory
     from rigidtop.system.parts import Body, Mass
@@ -27,6 +30,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Body",
     "FreeBody",
+    "FreeFit",
     "FreeMotions",
     "HeavyBody",
     "HeavyTop",
@@ -40,9 +44,11 @@ __all__ = [
     "System",
     "SystemMotion",
     "SystemTrajectory",
+    "TopFit",
     "TopMotions",
     "Trajectory",
     "__version__",
+    "fit",
     "free_motions",
     "show",
     "top_motions",
@@ -51,11 +57,14 @@ __all__ = [
 _ROOMS = {
     "errors": ("NoSteadyPrecession", "RigidtopError"),
     "motion.body": ("FreeBody", "HeavyBody"),
+    "motion.fit": ("fit",),
+    "motion.free_fit": ("FreeFit",),
     "motion.many": ("FreeMotions", "TopMotions", "free_motions", "top_motions"),
     "motion.motion": ("Motion",),
     "motion.table.motion": ("SlidingMotion", "SlidingTop"),
     "motion.table.trajectory": ("SlidingTrajectory",),
     "motion.top": ("HeavyTop",),
+    "motion.top_fit": ("TopFit",),
     "motion.trajectory": ("Trajectory",),
     "system.motion": ("SystemMotion", "SystemTrajectory"),
     "system.parts": ("Body", "Mass"),

@@ -94,6 +94,8 @@ def test_commands_run_and_print_what_is_shown(page, tmp_path, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     for file, text in [*(each for other in PAGES for each in files(other)), *files(page)]:
         (tmp_path / file).write_text(text, "utf-8")
+    for data in (ROOT / "notebooks" / "data").iterdir():
+        (tmp_path / data.name).write_bytes(data.read_bytes())
     for words, shown in commands(page):
         if is_whole_lecture(words):
             assert not shown

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 TOP_OPTIONS = ("lambda1", "lambda3", "mass", "arm", "gravity", "theta", "phi", "psi", "theta_dot")
 TOP_RATES = ("phi_dot", "omega3", "psi_dot", "steady")
+CONSTANTS = ("E", "p_phi", "p_psi")
 MOST_ROWS = 10_000_000
 THETA = Parameter("theta", 0.5, "θ at t = 0", "rad", least=0, most=math.pi)
 
@@ -95,6 +96,10 @@ def add_motion(parser: argparse.ArgumentParser, table: bool = False) -> None:
     spin.add_argument("--omega3", type=rate, help=f"ω₃, per second (default {EXAMPLE_SPIN:g})")
     spin.add_argument("--psi-dot", type=rate, help="ψ̇ at t = 0, per second, instead of ω₃")
     top.add_argument("--steady", choices=("slow", "fast"), help="start with φ̇ = Ω₋ or Ω₊")
+    constants = "instead of rates: it starts at the smallest θ, or at --theta"
+    top.add_argument("--E", type=number, help=f"the energy, J, {constants}")
+    top.add_argument("--p-phi", type=number, help="p_φ, J s, with --E and --p-psi")
+    top.add_argument("--p-psi", type=number, help="p_ψ, J s")
     free = parser.add_argument_group("the free body")
     free.add_argument("--moments", type=number, nargs=3, metavar="λ", help="λ₁ λ₂ λ₃, kg m²")
     free.add_argument("--omega", type=rate, nargs=3, metavar="ω", help="ω in the body, per second")
@@ -138,15 +143,20 @@ def _add_table(parser: argparse.ArgumentParser) -> None:
 
 def motion(options: argparse.Namespace, command: str) -> Motion:
     """What was asked for, in the words of that command where it makes no sense."""
-    _check(options, command, FREE_OPTIONS if options.body == "top" else TOP_OPTIONS + TOP_RATES)
+    _check(options, command, _foreign(options.body))
     return _top(options) if options.body == "top" else _free(options)
+
+
+def _foreign(body: str) -> tuple[str, ...]:
+    """Options that are another body's."""
+    return FREE_OPTIONS if body == "top" else TOP_OPTIONS + TOP_RATES + CONSTANTS
 
 
 def on_table(options: argparse.Namespace, command: str) -> SlidingMotion:
     """A top on a table, from the options of `add_motion` with `table`."""
     import rigidtop
 
-    _check(options, command, (*FREE_OPTIONS, "steady"), TABLE_OPTIONS)
+    _check(options, command, (*FREE_OPTIONS, "steady", *CONSTANTS), TABLE_OPTIONS)
     given = {name: value for name, value in vars(options).items() if value is not None}
     more = {name: given[name] for name in TABLE_OPTIONS[:-2] if name in given}
     top = rigidtop.SlidingTop(**{**EXAMPLE_TOP, "lambda1": 0.75, **_properties(given), **more})
@@ -183,6 +193,10 @@ def _top(options: argparse.Namespace) -> Motion:
     given = {name: value for name, value in vars(options).items() if value is not None}
     top = rigidtop.HeavyTop(**{**EXAMPLE_TOP, **_properties(given)})
     start = {name: given[name] for name in START if name in given}
+    if constants := {name: given[name] for name in CONSTANTS if name in given}:
+        if options.steady:
+            raise RigidtopError("--steady sets the rates: leave --E, --p-phi and --p-psi out")
+        return top.motion(theta=given.get("theta"), **constants, **start)
     theta = THETA.checked(given.get("theta", THETA.default))
     if "omega3" not in start and "psi_dot" not in start:
         start["omega3"] = EXAMPLE_SPIN

@@ -15,6 +15,7 @@ from rigidtop.commands import (
     derive,
     exercise,
     figure,
+    fit,
     lecture,
     listing,
     lsp,
@@ -48,6 +49,7 @@ COMMANDS = {
     "figure": figure,
     "web": web,
     "simulate": simulate,
+    "fit": fit,
     "certify": certify,
     "sweep": sweep,
 }

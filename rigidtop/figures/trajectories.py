@@ -45,18 +45,18 @@ def plotted(rows: Rows, names: Sequence[str | tuple[str, str]], axes: Axes | Non
                 raise RigidtopError(f"two columns make a curve, not {len(pair)}")
             (_, x), (header, y) = map(rows.column, pair)
             order = np.argsort(x, kind="stable") if pair[0] == "t" else slice(None)
-            axes.plot(x[order], y[order], color=COLOURS[k % len(COLOURS)], label=_label(header))
+            axes.plot(x[order], y[order], color=COLOURS[k % len(COLOURS)], label=label(header))
         across = {rows.column(first)[0] for first, _ in pairs}
         up = [rows.column(second)[0] for _, second in pairs]
-        axes.set_xlabel(_label(across.pop()) if len(across) == 1 else "")
+        axes.set_xlabel(label(across.pop()) if len(across) == 1 else "")
         if len(up) == 1:
-            axes.set_ylabel(_label(up[0]))
+            axes.set_ylabel(label(up[0]))
         else:
             axes.legend()
     return axes
 
 
-def _label(header: str) -> str:
+def label(header: str) -> str:
     """A column's letter and unit: $\\dot{\\theta}$ (rad/s)."""
     name, _, unit = header.partition("/")
     spelled = name.replace("_dot", "dot").replace("e3_", "e3")

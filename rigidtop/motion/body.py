@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from rigidtop.errors import RigidtopError
-from rigidtop.motion import checks
+from rigidtop.motion import checks, inertia
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.rigid import RigidBody, Triple
 from rigidtop.motion.start import Start
@@ -27,10 +28,16 @@ class AnyBody(RigidBody):
     def moments(self) -> Triple:
         return self.lambda1, self.lambda2, self.lambda3
 
+    @property
+    def axes(self) -> Rotation:
+        """Where the principal axes stand at t = 0 unless a motion is told."""
+        return Rotation.identity()
+
     def motion(self, omega: Sequence[float], attitude: Rotation | None = None) -> Motion:
         """The motion from ω in body components (rad/s) and an attitude, body to space.
 
-        The attitude at t = 0 is the identity (e₃ upright) unless given.  Raises RigidtopError if
+        The attitude at t = 0 is the identity (e₃ upright) unless given; of a body by `from_inertia`
+        it is its `attitude`.  Raises RigidtopError if
         `omega` is not three finite numbers or `attitude` not a single rotation.
 
         >>> brick = HeavyBody(3.0, 2.0, 1.5, M=1.0, centre_of_mass=(0.2, 0.3, 0.4))
@@ -38,7 +45,7 @@ class AnyBody(RigidBody):
         >>> all(change < 1e-9 for change in run.drift().values())
         True
         """
-        start = Rotation.identity() if attitude is None else attitude
+        start = self.axes if attitude is None else attitude
         return Motion(self, Start(start, checks.vector("omega", omega)))
 
 
@@ -59,6 +66,38 @@ body has such moments about its centre of mass (physical=False lets them through
 
     # A float too, so that numbers by name, as figures have them, may be all arguments.
     physical: bool | float = field(default=True, repr=False, compare=False)
+
+    attitude: Rotation = field(
+        default_factory=Rotation.identity, init=False, repr=False, compare=False
+    )
+    """Principal components to those of the axes in which the body was described."""
+
+    @classmethod
+    def from_inertia(cls, I: ArrayLike, physical: bool = True) -> FreeBody:  # noqa: E741
+        """The body with an inertia tensor: its principal moments, and its axes as its `attitude`.
+
+        `I` is the tensor about the centre of mass, shape (3, 3), in kg m², with the products of
+        inertia as they stand in it, I₁₂ = −∫xy dm.  `attitude` takes components along the principal
+        axes, in which ω and the moments are, to those of the tensor: I = R diag(λ) Rᵀ.  The axes
+        are right-handed, each numbered and directed as the nearest of the tensor's.
+
+        Raises RigidtopError for a tensor that is not symmetric, whose moments are not positive, or,
+        unless `physical` is False, one of which exceeds the sum of the other two.
+
+        >>> body = FreeBody.from_inertia([[2.0, 0.6, 0.0], [0.6, 1.1, 0.0], [0.0, 0.0, 3.0]])
+        >>> np.round(body.moments, 12), f"{np.degrees(body.attitude.magnitude()):.6f}°"
+        (array([2.3, 0.8, 3. ]), '26.565051°')
+        >>> body.motion(omega=body.attitude.inv().apply([0.1, 2.0, 0.0])).regime
+        'long axis'
+        """
+        moments, axes = inertia.principal(I)
+        body = cls(*moments, physical=physical)
+        object.__setattr__(body, "attitude", axes)
+        return body
+
+    @property
+    def axes(self) -> Rotation:
+        return self.attitude
 
     def __post_init__(self) -> None:
         checks.settle(self, checks.positive, "lambda1", "lambda2", "lambda3")

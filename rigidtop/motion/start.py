@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import attitude, checks
-from rigidtop.motion.rigid import Pair, Triple
+from rigidtop.motion.rigid import Pair, SymmetricTop, Triple
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,3 +144,107 @@ def from_angles(missing: str, *given: object) -> EulerStart:
     )
     omega = first, second, known.get("omega3", third)
     return EulerStart(theta, theta_dot, phi, phi_dot, psi, omega)
+
+
+CONSTANTS = ("E", "p_phi", "p_psi")
+
+NEAREST = 1e-12
+"""Angles to the vertical below this are not told from it where constants of the motion decide."""
+
+LEVEL = 1e-14
+"""What rounding leaves of an energy, relative to its parts."""
+
+
+@dataclass(frozen=True)
+class Reach:
+    """Where a symmetric top is while E (J), p_φ (3.55) and p_ψ (3.56) (J s) stay what they are."""
+
+    top: SymmetricTop
+    E: float
+    p_phi: float
+    p_psi: float
+
+    @cached_property
+    def scale(self) -> float:
+        """The size of what E consists of (J)."""
+        momenta = self.p_phi**2 / self.top.lambda1 + self.p_psi**2 / self.top.lambda3
+        return abs(self.E) + momenta + self.top.weight[2]
+
+    def across(self, theta: float) -> float:
+        """φ̇ sin θ (rad/s) at θ: infinite where a vertical top cannot have both momenta."""
+        cosine, sine, _ = attitude.of_polar_angle(theta)
+        part = (self.p_phi - self.p_psi) * cosine**2 + (self.p_phi + self.p_psi) * sine**2
+        below = 2 * self.top.lambda1 * sine * cosine
+        if not below:
+            small = 2 * NEAREST * math.sqrt(2 * self.top.lambda1 * self.scale)
+            return math.inf if abs(part) > small else 0.0
+        rate: float = part / below
+        return rate
+
+    def left(self, theta: float) -> float:
+        """What E leaves for ½λ₁θ̇² at θ (J)."""
+        kinetic = self.top.lambda1 * self.across(theta) ** 2 + self.p_psi**2 / self.top.lambda3
+        left: float = self.E - kinetic / 2 - self.top.weight[2] * math.cos(theta)
+        return left
+
+    @cached_property
+    def lowest(self) -> float:
+        """θ where the effective potential, which is convex in cos θ, is least."""
+        above, below = (self.p_phi - self.p_psi) ** 2, (self.p_phi + self.p_psi) ** 2
+        weight = 16 * self.top.lambda1 * self.top.weight[2]
+
+        def fall(theta: float) -> float:
+            cosine, sine, _ = attitude.of_polar_angle(theta)
+            slope: float = above * cosine**4 - below * sine**4 + weight * (sine * cosine) ** 4
+            return slope
+
+        if fall(NEAREST) <= 0:
+            return 0.0
+        return math.pi if fall(math.pi - NEAREST) >= 0 else _root(fall, NEAREST, math.pi - NEAREST)
+
+    @cached_property
+    def turning_points(self) -> Pair:
+        """The smallest and the largest θ; RigidtopError where E is too small for any."""
+        most = self.left(self.lowest)
+        if most < -LEVEL * self.scale:
+            raise RigidtopError(
+                f"E = {self.E:g} is too small: with p_phi = {self.p_phi:g} and p_psi = "
+                f"{self.p_psi:g} it is at least {self.E - most:.9g} J"
+            )
+        if most <= LEVEL * self.scale:
+            return self.lowest, self.lowest
+        return self._end(0.0), self._end(math.pi)
+
+    def _end(self, pole: float) -> float:
+        """Where θ̇ vanishes between the lowest place and a pole; the pole if it gets there."""
+        near = abs(pole - NEAREST)
+        return pole if self.left(near) >= 0 else _root(self.left, near, self.lowest)
+
+
+def _root(function: Any, low: float, high: float) -> float:
+    return float(brentq(function, low, high, xtol=1e-300, rtol=1e-15, maxiter=500))
+
+
+def from_constants(
+    top: SymmetricTop, E: object, p_phi: object, p_psi: object, theta: object, *angles: object
+) -> EulerStart:
+    """From E, p_φ and p_ψ, with θ̇ ≥ 0: at the smallest θ unless given; φ and ψ are 0 if None.
+
+    Raises RigidtopError for constants that the top cannot have, there or anywhere.
+    """
+    given = zip(CONSTANTS, (E, p_phi, p_psi), strict=True)
+    reach = Reach(top, *(checks.number(name, value) for name, value in given))
+    phi, psi = (checks.number(n, x or 0.0) for n, x in zip(("phi", "psi"), angles, strict=True))
+    least, most = reach.turning_points
+    at = least if theta is None else checks.polar_angle(theta)
+    energy = reach.left(at)
+    if energy < -LEVEL * reach.scale:
+        raise RigidtopError(
+            f"theta = {at:g} is out of reach: with this E, p_phi and p_psi it goes from "
+            f"{least:.9g} to {most:.9g}"
+        )
+    turning = theta is None and (0 < at < math.pi or least == most)
+    theta_dot = 0.0 if turning else math.sqrt(max(2 * energy / top.lambda1, 0.0))
+    across, sine = reach.across(at), attitude.of_polar_angle(at)[2]
+    omega = *attitude.from_nodes(theta_dot, across, psi), reach.p_psi / top.lambda3
+    return EulerStart(at, theta_dot, phi, across / sine if sine else 0.0, psi, omega)

@@ -12,7 +12,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.rigid import ROUNDING, SymmetricTop
-from rigidtop.motion.start import GIVEN, Start, from_angles
+from rigidtop.motion.start import GIVEN, Start, from_angles, from_constants
 
 __all__ = ["ROUNDING", "HeavyTop"]
 
@@ -50,6 +50,18 @@ class HeavyTop(SymmetricTop):
     ) -> TopMotion: ...
 
     @overload
+    def motion(
+        self,
+        *,
+        E: float,
+        p_phi: float,
+        p_psi: float,
+        theta: float | None = None,
+        phi: float = 0.0,
+        psi: float = 0.0,
+    ) -> TopMotion: ...
+
+    @overload
     def motion(self, *, attitude: Rotation, omega: Sequence[float]) -> TopMotion: ...
 
     def motion(
@@ -64,13 +76,18 @@ class HeavyTop(SymmetricTop):
         omega3: float | None = None,
         attitude: Rotation | None = None,
         omega: Sequence[float] | None = None,
+        E: float | None = None,
+        p_phi: float | None = None,
+        p_psi: float | None = None,
     ) -> TopMotion:
-        """The motion from Euler angles and rates, or from an attitude and ω, at t = 0.
+        """The motion from angles and rates, an attitude and ω, or the constants, at t = 0.
 
         R = Rz(φ) Ry(θ) Rz(ψ) takes body components to space components; 0 ≤ θ ≤ π.  `theta` is
         needed, and the spin, as `psi_dot` or as `omega3` = ψ̇ + φ̇ cos θ; the others are 0 unless
         given.  Or `attitude`, which is R, and `omega`, the body components of ω; then φ and ψ start
-        in (−π, π].  Radians and rad/s.
+        in (−π, π].  Or the constants of the motion, the energy `E` (J) and the momenta `p_phi`
+        (3.55) and `p_psi` (3.56) (J s): it starts at the smallest θ that it reaches, or at `theta`
+        with θ̇ ≥ 0.  Radians and rad/s.
 
         Raises RigidtopError for anything else.
 
@@ -81,8 +98,24 @@ class HeavyTop(SymmetricTop):
         Traceback (most recent call last):
         ...
         rigidtop.errors.RigidtopError: give psi_dot or omega3, not both
+        >>> top.motion(E=405.0, p_phi=18.0, p_psi=20.0).turning_points
+        (0.4040860915771713, 0.5151895298329429)
+        >>> top.motion(E=404.0, p_phi=18.0, p_psi=20.0)
+        Traceback (most recent call last):
+        ...
+        rigidtop.errors.RigidtopError: E = 404 is too small: with p_phi = 18 and p_psi = 20 it is \
+at least 404.408656 J
         """
         angles = theta, theta_dot, phi, phi_dot, psi, psi_dot, omega3
+        constants = E, p_phi, p_psi
+        if any(x is not None for x in constants):
+            rates = theta_dot, phi_dot, psi_dot, omega3, attitude, omega
+            if None in constants or any(x is not None for x in rates):
+                raise RigidtopError(
+                    "E, p_phi and p_psi are needed together, with theta, phi and psi alone beside "
+                    "them: they tell every rate"
+                )
+            return TopMotion(self, from_constants(self, *constants, theta, phi, psi))
         if attitude is not None or omega is not None:
             given = [name for name, x in zip(GIVEN, angles, strict=True) if x is not None]
             if given:
@@ -92,5 +125,5 @@ class HeavyTop(SymmetricTop):
             if attitude is None or omega is None:
                 raise RigidtopError("attitude and omega are needed together")
             return TopMotion(self, Start(attitude, checks.vector("omega", omega)))
-        missing = "give theta and the spin (omega3 or psi_dot), or attitude and omega"
+        missing = "give theta and the spin (omega3 or psi_dot), or attitude and omega, or constants"
         return TopMotion(self, from_angles(missing, *angles))

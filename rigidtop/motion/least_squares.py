@@ -1,0 +1,230 @@
+"""Least squares between measurements and a motion in closed form, from several starts.
+
+The first guess comes from linear least squares on equations of motion that were integrated once in
+time, so that nothing noisy is differentiated.  From there, and from other starts, the method of
+Levenberg and Marquardt goes on through windows that double, in which a wrong period is still right
+to half a turn, and from each to the next the better half of the starts.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, ClassVar
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from rigidtop.errors import RigidtopError
+from rigidtop.motion.attitude import Floats
+from rigidtop.motion.motion import Motion
+
+STEP = 1e-7
+"""Of a derivative by a parameter, relative to the parameter or 1."""
+
+SEARCHED = 200
+"""Rows of a window that a search looks at."""
+
+WINDOWS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0)
+"""How much of the data a search has seen, one after the other."""
+
+SIGNIFICANT = 100.0
+"""By so many variances a motion must be better than one that tells no moments."""
+
+RANK = 1e-9
+"""Of slopes that are as good as `STEP` leaves them."""
+
+VAGUE = 0.2
+"""A relative error from which on a linear estimate of it means little."""
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """What measurements tell of a body, made by `rigidtop.fit`."""
+
+    motion: Motion
+    """The motion that fits, at t = 0 of the measured times: ``fit.motion.exact(t)``."""
+
+    values: dict[str, float]
+    """Every quantity by its name, in SI units."""
+
+    covariance: Floats
+    """Of the `values`, in their order; zeros where a number was given and not measured."""
+
+    t: Floats
+    """The times, shape (N,), in s."""
+
+    measured: dict[str, Floats]
+    """What was measured, by name and unit, each of shape (N,)."""
+
+    computed: dict[str, Floats]
+    """What the motion has at those times."""
+
+    @property
+    def errors(self) -> dict[str, float]:
+        """Standard errors of the `values`."""
+        return dict(zip(self.values, np.sqrt(np.diag(self.covariance)).tolist(), strict=True))
+
+    @property
+    def residuals(self) -> dict[str, Floats]:
+        """Measured minus computed."""
+        return {name: data - self.computed[name] for name, data in self.measured.items()}
+
+    def __repr__(self) -> str:
+        errors = self.errors
+        said = (f"{name} = {x:.6g} ± {errors[name]:.2g}" for name, x in self.values.items())
+        return f"<{type(self).__name__} of {len(self.t)} rows: {', '.join(said)}>"
+
+
+@dataclass(frozen=True, eq=False)
+class Model(ABC):
+    """Measurements, and a motion with parameters in a row; of many such rows the columns."""
+
+    t: Floats
+    """Times (N,), from the first on (s)."""
+
+    @property
+    @abstractmethod
+    def measured(self) -> dict[str, Floats]:
+        """The columns (N,), by name and unit."""
+
+    @property
+    @abstractmethod
+    def groups(self) -> list[int]:
+        """Of each column the number of the instrument: those of one have the same noise."""
+
+    @abstractmethod
+    def computed(self, parameters: Floats, rows: Any) -> Floats:
+        """The columns (P, N, m) at some rows of times, of parameters (P, n)."""
+
+    @abstractmethod
+    def starts(self) -> list[Floats]:
+        """Parameters to start from, the best guess first."""
+
+    unknown: ClassVar[str]
+    """What is said where nothing can be known."""
+
+    @abstractmethod
+    def telling(self, parameters: Floats) -> Floats:
+        """What the errors of the first parameters must be small to."""
+
+    @abstractmethod
+    def motion(self, parameters: Floats, values: dict[str, float], since: float) -> Motion:
+        """The motion at t = 0, with a first time `since`."""
+
+    def settled(self, parameters: Floats) -> Floats:
+        """Of parameters that make the same motion those whose names are right."""
+        return parameters
+
+    @abstractmethod
+    def quantities(self, parameters: Floats) -> dict[str, Floats]:
+        """What is told, (P,) by name."""
+
+    @abstractmethod
+    def still(self) -> Floats:
+        """Residuals (N, m) of the motion from which nothing can be known."""
+
+    @cached_property
+    def data(self) -> Floats:
+        return np.stack([*self.measured.values()], axis=-1)
+
+    def residuals(self, parameters: Floats, rows: Any, weights: Floats) -> Floats:
+        """Computed minus measured in units of the noise, (P, N m)."""
+        with np.errstate(all="ignore"):
+            far = self.computed(np.atleast_2d(parameters), rows) - self.data[rows]
+        scaled = np.where(np.isfinite(far), far, 1e6) * weights
+        return np.asarray(scaled.reshape(len(scaled), -1))
+
+
+def _slopes(function: Callable[[Floats], Floats], parameters: Floats) -> Floats:
+    """Derivatives (…, n) of what a function makes of rows of parameters, (P, …)."""
+    steps = STEP * np.maximum(np.abs(parameters), 1.0)
+    values = function(np.concatenate([parameters + np.diag(steps), [parameters]]))
+    made: Floats = (values[:-1] - values[-1]).T / steps
+    return made
+
+
+def _descended(model: Model, start: Floats, rows: Any, weights: Floats, patience: int) -> Any:
+    """The least squares near a start: SciPy's result."""
+
+    def residuals(parameters: Floats) -> Floats:
+        return model.residuals(parameters, rows, weights)
+
+    def first(parameters: Floats) -> Floats:
+        return np.asarray(residuals(parameters)[0])
+
+    def slopes(parameters: Floats) -> Floats:
+        return _slopes(residuals, parameters)
+
+    return least_squares(first, start, slopes, method="lm", x_scale="jac", max_nfev=patience)
+
+
+def _searched(model: Model, weights: Floats) -> Floats:
+    """Parameters of the best motion to which a start leads."""
+    count, starts = len(model.t), model.starts()
+    ends = [_descended(model, starts[0], _spread(count), weights, 60)]
+    for share in WINDOWS:
+        stop = max(round(share * count), min(4 * len(starts[0]), count))
+        reached = [_descended(model, start, _spread(stop), weights, 30) for start in starts]
+        reached.sort(key=lambda end: float(end.cost))
+        starts = [end.x for end in reached[: max(2, len(starts) // 2)]]
+    best: Floats = min([*ends, *reached], key=lambda end: float(end.cost)).x
+    return best
+
+
+def _spread(stop: int) -> Any:
+    """Rows before that one, not too many."""
+    return np.unique(np.linspace(0, stop - 1, min(stop, SEARCHED)).astype(int))
+
+
+def _sizes(model: Model, residuals: Floats) -> Floats:
+    """The root mean square of residuals (N, m), for each column that of its instrument."""
+    groups, squares = np.array(model.groups), (residuals**2).mean(axis=0)
+    size = np.sqrt([squares[groups == group].mean() for group in groups])
+    rounding = 1e-13 * (np.abs(model.data).max() + 1.0)
+    sizes: Floats = np.maximum(size, rounding)
+    return sizes
+
+
+def solved(model: Model) -> tuple[Floats, Floats]:
+    """Parameters and their covariance; RigidtopError where the measurements do not tell them."""
+    if model.data.size <= 2 * len(model.starts()[0]):
+        raise RigidtopError(f"{len(model.t)} rows are too few to fit a motion")
+    still = model.still()
+    weights = 1 / _sizes(model, still)
+    parameters = _searched(model, weights)
+    for _ in range(3):  # the noise of each instrument comes from what the last fit leaves
+        end = _descended(model, parameters, slice(None), weights, 60)
+        parameters = model.settled(end.x)
+        residuals = end.fun.reshape(still.shape) / weights
+        weights = 1 / _sizes(model, residuals)
+    left = float(np.square(residuals * weights).sum())
+    variance = left / (still.size - len(parameters))
+    if np.square(still * weights).sum() - left < SIGNIFICANT * variance:
+        raise RigidtopError(model.unknown)
+    slopes = _slopes(lambda p: model.residuals(p, slice(None), weights), parameters)
+    covariance = variance * _inverse(slopes, model.unknown)
+    scales = model.telling(parameters)
+    if np.any(np.sqrt(np.diag(covariance))[: len(scales)] > VAGUE * scales):
+        raise RigidtopError(model.unknown)
+    return parameters, covariance
+
+
+def _inverse(slopes: Floats, unknown: str) -> Floats:
+    """(JᵀJ)⁻¹ of slopes J (rows, n); RigidtopError where some parameters change nothing."""
+    norms = np.linalg.norm(slopes, axis=0)
+    _, singular, across = np.linalg.svd(slopes / np.where(norms, norms, 1.0), full_matrices=False)
+    if singular[-1] < RANK * singular[0]:
+        raise RigidtopError(unknown)
+    root = across.T / singular / norms[:, None]
+    inverse: Floats = root @ root.T
+    return inverse
+
+
+def told(model: Model, parameters: Floats, covariance: Floats) -> tuple[dict[str, float], Floats]:
+    """Quantities, and their covariance."""
+    values = {name: float(x[0]) for name, x in model.quantities(parameters[None]).items()}
+    slopes = _slopes(lambda p: np.stack([*model.quantities(p).values()], axis=-1), parameters)
+    return values, slopes @ covariance @ slopes.T
