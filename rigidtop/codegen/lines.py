@@ -14,6 +14,7 @@ import sympy
 from sympy import Expr, Symbol
 
 from rigidtop.codegen.graph import (
+    OWN,
     Call,
     Graph,
     Leaf,
@@ -42,12 +43,17 @@ class StraightLine:
         """Sums, products, powers, signs and calls."""
         return int(sympy.count_ops([*(value for _, value in self.shared), *self.results]))
 
-    def written_out(self) -> tuple[Expr, ...]:
-        """The results with everything put in."""
-        values: dict[Symbol, Expr] = {}
+    def written_out(self, at: Mapping[Expr, Expr] | None = None) -> tuple[Expr, ...]:
+        """The results with everything put in, and values for letters where they are given."""
+        values: dict[Expr, Expr] = dict(at or {})
+
+        def put(value: Expr) -> Expr:
+            # A place put into an unknown function's slope leaves the slope at that place.
+            return value.subs(values) if at and value.has(*OWN) else value.xreplace(values)
+
         for name, value in self.shared:
-            values[name] = value.xreplace(values)
-        return tuple(result.xreplace(values) for result in self.results)
+            values[name] = put(value)
+        return tuple(map(put, self.results))
 
 
 def straight_line(graph: Graph, values: Sequence[Value], names: Iterator[Symbol]) -> StraightLine:

@@ -61,6 +61,8 @@ class Balanced:
     force: Column
     constraints: Sequence[Column]
     right: Column
+    speeds: Column
+    """A q̇ + b, which the constraints let vanish."""
     whole: Value
     """A sum of all that L is made of: it has the letters of L."""
 
@@ -192,16 +194,16 @@ class Balance:
             for Q, F in zip(self.system.forces, lost, strict=True)
         ]
 
-    def held(self) -> tuple[list[list[Value]], list[Value]]:
-        """A and c of A q̈ = c: the constraints, derived by time until they have accelerations."""
-        rows, right = [], []
-        for rule, of_places in zip(self.system.rules, self.system.holonomic, strict=True):
-            value = self.graph.expression(rule)
-            if of_places:
-                value = self.rate(value)
-            rows.append(self.slopes(value, self.along_velocities))
-            right.append(self.less(self.rate(value)))
-        return rows, right
+    def held(self) -> tuple[list[list[Value]], list[Value], list[Value]]:
+        """A and c of A q̈ = c, and A q̇ + b: the constraints, derived by time until they are so."""
+        speeds = [
+            self.rate(value) if of_places else value
+            for value, of_places in zip(
+                map(self.graph.expression, self.system.rules), self.system.holonomic, strict=True
+            )
+        ]
+        rows = [self.slopes(value, self.along_velocities) for value in speeds]
+        return rows, [self.less(self.rate(value)) for value in speeds], speeds
 
     # --- masses and bodies ------------------------------------------------------------------------
 
