@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import sympy
-from sympy import Expr, Matrix, Symbol
+from sympy import Expr, Matrix, MatrixBase, Symbol
 from sympy.core.function import AppliedUndef
 
-from rigidtop.codegen.graph import ONE, Direction, Graph, Value, somewhere
+from rigidtop.codegen.graph import ONE, Direction, Graph, Value, points, somewhere
 from rigidtop.codegen.lines import straight_line
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from rigidtop.system.derived import Derived
 
 IN_TIME = "the deviations change in time by themselves: their coefficients are not constant"
+
+ROUNDING = 1e-14
+"""Of a number that is given in decimals."""
 
 Place = Mapping[Expr, Expr]
 """The steady values of plain letters."""
@@ -87,7 +90,7 @@ def _inputs(system: Derived, given: Given) -> list[Expr]:
     """The letters that are inputs, plain."""
     known = {x.name: x for x in system.parameters}
     letters = []
-    if not isinstance(given, (Expr, str, Sequence)):
+    if not isinstance(given, (Expr, str, Sequence, MatrixBase)):
         raise RigidtopError(f"the inputs are letters, such as [F], not {in_one_line(given)}")
     for each in (given,) if isinstance(given, (Expr, str)) else given:
         letter = known.get(str(each), each)
@@ -127,15 +130,17 @@ def linear(system: Derived, place: Place, inputs: Sequence[Expr] = ()) -> Linear
     moved = [x for x, v in zip(names.q, names.v, strict=True) if place[v] != 0]
     place = {x: value for x, value in place.items() if x not in moved}
     M, force, K, C, U, A, D, speeds = _sides(system, place, inputs)
-    _hold(system, place, speeds, moved)
+    _hold(system, place, A, speeds, moved)
     following = A.rref(iszerofunc=_is_zero)[1]
     if len(following) < A.rows:
         raise RigidtopError("the constraints depend on one another there")
     pushes = _pushes(system, A, force, following)
     left = force.xreplace(pushes).applyfunc(_shortened)
     _stands(system, place, left, moved)
-    for x in left:
-        if not _is_zero(x):
+    at = [place.get(x, sympy.S.Zero) for x in (*names.q, *names.v, *inputs)]
+    slopes = Matrix.hstack(K.xreplace(pushes), C, U)
+    for i, x in enumerate(left):
+        if not _is_zero(x) and not _is_rounding(x, slopes[i, :], at):
             size = names.back(sympy.factor_terms(-x))
             raise RigidtopError(f"this is no steady motion: a force of {size} is left")
     M, C, K, U = (side.applyfunc(_shortened) for side in (M, -C, -K.xreplace(pushes), U))
@@ -151,12 +156,18 @@ def linear(system: Derived, place: Place, inputs: Sequence[Expr] = ()) -> Linear
     return Linear(place, M, C, K, U, coordinates, independent, P, N, carried)
 
 
-def _hold(system: Derived, place: Place, speeds: Matrix, moved: Sequence[Expr]) -> None:
+def _hold(system: Derived, place: Place, A: Matrix, speeds: Matrix, moved: Sequence[Expr]) -> None:
     """Raises RigidtopError where a constraint, or its rate, does not hold at the place."""
-    for rule, given, speed in zip(system.rules, system.constraints, speeds, strict=True):
-        wanted = [speed] if rule.has(*moved) else [rule.subs(place), speed]
-        _stands(system, place, wanted, moved)
-        if not all(map(_is_zero, wanted)):
+    names = system.names
+    for i, (rule, given) in enumerate(zip(system.rules, system.constraints, strict=True)):
+        wanted = [(speeds[i], names.v)]
+        if not rule.has(*moved):
+            wanted.append((rule.subs(place), names.q if system.holonomic[i] else names.v))
+        _stands(system, place, [x for x, _ in wanted], moved)
+        if not all(
+            _is_zero(x) or _is_rounding(x, A[i, :], [place.get(y, sympy.S.Zero) for y in letters])
+            for x, letters in wanted
+        ):
             raise RigidtopError(f"the constraint {given} = 0 does not hold there")
 
 
@@ -251,6 +262,17 @@ def _in_lowest_terms(value: Expr) -> Expr:
 
 def _shortened(value: Expr) -> Expr:
     return short(value) if value.count_ops() < LARGEST else value
+
+
+def _is_rounding(value: Expr, slopes: Matrix, at: Sequence[Expr]) -> bool:
+    """Whether a value is what the rounding of decimals in a place leaves, where it has slopes."""
+    if not value.has(sympy.Float):
+        return False
+    shares = [abs(slope * x) for slope, x in zip(slopes, at, strict=True)]
+    letters = set().union(*(x.free_symbols for x in (value, *shares)))
+    point = next(points(sorted(letters, key=str)))
+    left, size = (sympy.N(x.xreplace(point)) for x in (abs(value), sympy.Add(*shares)))
+    return bool(left <= ROUNDING * size)
 
 
 def _is_zero(value: Expr) -> bool:

@@ -113,6 +113,27 @@ def test_a_pendulum_by_constraint_is_one_by_its_angle():
     assert Matrix([0, 1 / m]) == B
 
 
+def test_a_place_in_decimals_is_one():
+    """sin of π in floats is 10⁻¹⁶, and so is what a constraint has left."""
+    A, _ = CART.linearise(at={theta: float(np.pi)}, inputs=[F])
+    assert A[3, 1].subs({M: 1, m: 1, length: 1, g: 1}) == pytest.approx(-2)
+    slope, rod = 0.3, 2.0
+    bob = rt.System(
+        m * (u**2 + v**2) / 2 - m * g * y,
+        [x, y],
+        [u, v],
+        forces=[F, 0],
+        constraints=x**2 + y**2 - length**2,
+    )
+    place = {x: rod * np.sin(slope), y: -rod * np.cos(slope), length: rod}
+    A, _ = bob.linearise({**place, F: 3 * 9.81 * np.tan(slope), m: 3, g: 9.81}, [F])
+    assert A[1, 0] == pytest.approx(-9.81 / rod / np.cos(slope))
+    with pytest.raises(rt.RigidtopError, match="no steady motion"):
+        bob.linearise({**place, F: 3 * 9.81 * np.tan(slope) + 1e-9, m: 3, g: 9.81}, [F])
+    with pytest.raises(rt.RigidtopError, match="does not hold there"):
+        bob.linearise({**place, length: 2.000001}, [F])
+
+
 def rolling_disc():
     """A thin disc of radius `length` on a table: x, y of its centre, e₃ its axle."""
     x, y, phi, theta, psi = q = dynamicsymbols("x y phi theta psi")
