@@ -245,7 +245,7 @@ class Balance:
                 continue
             node, front = graph.nodes[k], graph.total(fronts[k])
             moving = [j for j in parts_of(node) if self.moves((1, j))]
-            if isinstance(node, Sum):
+            if isinstance(node, Sum) and moving:
                 for c, j in node.terms:
                     fronts.setdefault(j, []).append(graph.product([front, (c, 0)]))
             elif isinstance(node, Product) and len(moving) == 1 and moving[0] in node.above:
