@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any, NamedTuple, TypeVar
 
 import mpmath
@@ -475,9 +475,11 @@ TRIED = 60
 """Points at which numbers are looked for, where square roots and logarithms may have none."""
 
 
+@cache
 def _generic(k: int) -> Expr:
     """A number from a half to three halves, without a relation to those for other k."""
-    return sympy.N(sympy.Rational(1, 2) + sympy.frac(sympy.sqrt(sympy.prime(k + 5))), 60)
+    root = DIGITS.sqrt(sympy.prime(k + 5))
+    return sympy.Float(root - DIGITS.floor(root) + DIGITS.mpf(0.5), 60)
 
 
 def points(letters: Sequence[Expr]) -> Iterator[dict[Expr, Expr]]:

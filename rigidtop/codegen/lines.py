@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from heapq import heapify, heappop, heappush
@@ -14,6 +14,7 @@ import sympy
 from sympy import Expr, Symbol
 
 from rigidtop.codegen.graph import (
+    OWN,
     Call,
     Graph,
     Leaf,
@@ -42,12 +43,17 @@ class StraightLine:
         """Sums, products, powers, signs and calls."""
         return int(sympy.count_ops([*(value for _, value in self.shared), *self.results]))
 
-    def written_out(self) -> tuple[Expr, ...]:
-        """The results with everything put in."""
-        values: dict[Symbol, Expr] = {}
+    def written_out(self, at: Mapping[Expr, Expr] | None = None) -> tuple[Expr, ...]:
+        """The results with everything put in, and values for letters where they are given."""
+        values: dict[Expr, Expr] = dict(at or {})
+
+        def put(value: Expr) -> Expr:
+            # A place put into an unknown function's slope leaves the slope at that place.
+            return value.subs(values) if at and value.has(*OWN) else value.xreplace(values)
+
         for name, value in self.shared:
-            values[name] = value.xreplace(values)
-        return tuple(result.xreplace(values) for result in self.results)
+            values[name] = put(value)
+        return tuple(map(put, self.results))
 
 
 def straight_line(graph: Graph, values: Sequence[Value], names: Iterator[Symbol]) -> StraightLine:
@@ -192,15 +198,14 @@ class _Written:
             signs = {c * self.signs[j] > 0 for c, j in node.terms}
             if k in self.turned or signs == {False}:
                 self.signs[k] = -1
-            return sympy.Add(*(self.value((c * self.signs[k], j)) for c, j in node.terms))
+            terms = [(c * self.signs[k], j) for c, j in node.terms]
+            terms.sort(key=lambda term: term[0] * self.signs[term[1]] < 0)  # no sign in front
+            return _as_it_stands(sympy.Add, map(self.value, terms))
         if isinstance(node, Product):
             for j in (*node.above, *node.below):
                 self.signs[k] *= self.signs[j]
-            above = [self.known[j] for j in node.above]
             below = [1 / self.known[j] for j in node.below]
-            numbers = [x for x in above if x.is_Number]
-            rest = sympy.Mul(*(x for x in above if not x.is_Number), *below)
-            return _multiple(sympy.Mul(*numbers), rest) if numbers else rest
+            return _as_it_stands(sympy.Mul, [*(self.known[j] for j in node.above), *below])
         if isinstance(node, Power):
             return self.value(node.base) ** sympy.sympify(node.exponent)
         if isinstance(node, Call):
@@ -212,8 +217,20 @@ def _multiple(c: Number, x: Expr) -> Expr:
     """A number times an expression, not multiplied out."""
     if c == 1:
         return x
-    c = sympy.sympify(c)
-    return sympy.Mul(c, x, evaluate=False) if x.is_Add and c != -1 else c * x
+    if c == -1 and x.is_Add:
+        return -x
+    return _as_it_stands(sympy.Mul, (sympy.sympify(c), x))
+
+
+def _as_it_stands(kind: Any, parts: Iterable[Expr]) -> Expr:
+    """A sum or a product of parts that the graph has made different: SymPy sorts none of them."""
+    numbers: list[Expr] = []
+    rest: list[Expr] = []
+    for part in parts:
+        for x in part.args if isinstance(part, kind) else (part,):
+            (numbers if x.is_Number else rest).append(x)
+    number = kind(*numbers)
+    return kind._from_args(rest if number == kind.identity else [number, *rest])
 
 
 def in_pieces(

@@ -103,7 +103,8 @@ def function(
     lines, results = in_pieces(made, reduced, free)
     program = StraightLine(tuple(lines), tuple(results))
     try:
-        text = source.signature(name, [a.name for a in arguments]) + source.body(program)
+        text = source.signature(name, [a.name for a in arguments])
+        text += source.body(program, sorts=not shared)
     except NotImplementedError as error:
         [what] = re.findall(r"\w+(?='>)", str(error))[-1:] or [str(error)]
         raise ValueError(f"{name}: Python has no {what}") from None

@@ -45,7 +45,9 @@ class Printer(CodePrinter):
         if not number.is_Rational:
             number, rest = sympy.S.One, expr
         above, below = [], []
-        for factor in rest.as_ordered_factors():
+        for factor in (
+            sympy.Mul.make_args(rest) if self.order == "none" else rest.as_ordered_factors()
+        ):
             if factor.is_Pow and factor.exp.is_Rational and factor.exp < 0:
                 below += self._factors(Pow(factor.base, -factor.exp))
             elif factor != 1:
@@ -86,8 +88,9 @@ class Printer(CodePrinter):
 class Python(Printer, PythonCodePrinter):
     """Functions as `math` names them; one that nobody knows keeps its name."""
 
-    def __init__(self) -> None:
-        super().__init__({"fully_qualified_modules": False, "allow_unknown_functions": True})
+    def __init__(self, sorts: bool = True) -> None:
+        known = {"fully_qualified_modules": False, "allow_unknown_functions": True}
+        super().__init__(known | {"order": None if sorts else "none"})
 
 
 _BREAKS = re.compile(r"(?<= [-+] )|(?<=, )|(?<=[\w)][*/])(?=[\w(])|(?<=\.[*/])")
@@ -112,20 +115,27 @@ def signature(name: str, parameters: Sequence[str], returns: str = "") -> list[s
     return [first, *(INDENT + other for other in others)]
 
 
-def assignments(pairs: Sequence[tuple[Symbol, Expr]], depth: int = 1) -> list[str]:
+def assignments(
+    pairs: Sequence[tuple[Symbol, Expr]], depth: int = 1, sorts: bool = True
+) -> list[str]:
     """``x0 = sin(theta)`` and so on, indented `depth` times."""
     lines: list[str] = []
+    printer = Python(sorts)
     for name, value in pairs:
-        line = f"{INDENT * depth}{name} = {Python().text(value)}"
+        line = f"{INDENT * depth}{name} = {printer.text(value)}"
         lines += [line] if len(line) <= WIDTH else broken(line.replace(" = ", " = (", 1) + ")")
     return lines
 
 
-def body(program: StraightLine, depth: int = 1) -> list[str]:
-    """The statements of a function that returns the results as a tuple, indented `depth` times."""
-    lines = [*assignments(program.shared, depth), INDENT * depth + "return ("]
+def body(program: StraightLine, depth: int = 1, sorts: bool = True) -> list[str]:
+    """The statements of a function that returns the results as a tuple, indented `depth` times.
+
+    Sums and products are sorted, to be read, or stand as they are, which is quicker.
+    """
+    lines = [*assignments(program.shared, depth, sorts), INDENT * depth + "return ("]
+    printer = Python(sorts)
     for value in program.results:
-        lines += broken(f"{INDENT * (depth + 1)}{Python().text(value)},")
+        lines += broken(f"{INDENT * (depth + 1)}{printer.text(value)},")
     return [*lines, INDENT * depth + ")"]
 
 

@@ -1,5 +1,7 @@
 """M and f of M q̈ = f on a graph: of masses and bodies by d'Alembert, of a Lagrangian by Lagrange.
 
+M is Σ JᵀIJ, of parts and of squares ½ I w² in a Lagrangian, with J = ∂w/∂q̇: no square is expanded.
+
 Derivatives are forward ones, along coordinates, velocities and time; nothing is multiplied out.
 """
 
@@ -7,12 +9,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import Protocol
 
 from sympy import Expr
 
-from rigidtop.codegen.graph import MINUS, ONE, ZERO, Direction, Graph, Leaf, Value
+from rigidtop.codegen.graph import (
+    MINUS,
+    ONE,
+    ZERO,
+    Direction,
+    Graph,
+    Leaf,
+    Power,
+    Product,
+    Sum,
+    Value,
+)
+from rigidtop.codegen.graph import parts as parts_of
 from rigidtop.codegen.solve import solutions
 from rigidtop.system.names import Names
 from rigidtop.system.parts import Body, Part
@@ -50,6 +65,8 @@ class Row:
     rate: Value
     inertia: Value
     bias: Value
+    slant: Column = ()
+    """For each coordinate what Lagrange's equations have besides, where v is no rate of a place."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +78,8 @@ class Balanced:
     force: Column
     constraints: Sequence[Column]
     right: Column
+    speeds: Column
+    """A q̇ + b, which the constraints let vanish."""
     whole: Value
     """A sum of all that L is made of: it has the letters of L."""
 
@@ -143,17 +162,19 @@ class Balance:
         return self.balanced(self.system.plain, ())
 
     def balanced(self, given: Expr, parts: Sequence[Part]) -> Balanced:
-        """What a Lagrangian gives besides parts.
+        """What a Lagrangian gives besides parts; its squares ½ I w² are as theirs.
 
         (∂²L/∂q̇∂q̇) q̈ = ∂L/∂q + Q − what ∂L/∂q̇ changes by without q̈, and of the parts
         Σ ((∂v/∂q̇)ᵀ(m v̇) + (∂ω/∂q̇)ᵀ(λω̇ + ω × λω)).
         """
         graph, n = self.graph, len(self.velocities)
         L = graph.expression(given)
-        slopes, momenta = (
-            self.slopes(L, each) for each in (self.along_places, self.along_velocities)
-        )
         rows = [row for part in parts for row in self.rows(part)]
+        squares, left = self.squares(L)
+        rows += [self.square(inertia, rate) for inertia, rate in squares]
+        slopes, momenta = (
+            self.slopes(left, each) for each in (self.along_places, self.along_velocities)
+        )
 
         def mass(i: int, j: int) -> Value:
             own = self.products((row.jacobian[i], row.jacobian[j], row.inertia) for row in rows)
@@ -168,17 +189,18 @@ class Balance:
                     slopes[i],
                     self.less(self.rate(momenta[i])),
                     self.less(self.products((row.jacobian[i], ONE, row.bias) for row in rows)),
+                    *(self.less(row.slant[i]) for row in rows if row.slant),
                 ]
             )
             for i in reversed(range(n))
         }
-        squares = [graph.product([row.inertia, row.rate, row.rate]) for row in rows]
+        energies = [graph.product([row.inertia, row.rate, row.rate]) for row in rows]
         return Balanced(
             graph,
             [[lower[max(i, j), min(i, j)] for j in range(n)] for i in range(n)],
             [force[i] for i in range(n)],
             *self.held(),
-            graph.total([L, *squares]),
+            graph.total([L, *energies]),
         )
 
     @cached_property
@@ -192,16 +214,75 @@ class Balance:
             for Q, F in zip(self.system.forces, lost, strict=True)
         ]
 
-    def held(self) -> tuple[list[list[Value]], list[Value]]:
-        """A and c of A q̈ = c: the constraints, derived by time until they have accelerations."""
-        rows, right = [], []
-        for rule, of_places in zip(self.system.rules, self.system.holonomic, strict=True):
-            value = self.graph.expression(rule)
-            if of_places:
-                value = self.rate(value)
-            rows.append(self.slopes(value, self.along_velocities))
-            right.append(self.less(self.rate(value)))
-        return rows, right
+    def held(self) -> tuple[list[list[Value]], list[Value], list[Value]]:
+        """A and c of A q̈ = c, and A q̇ + b: the constraints, derived by time until they are so."""
+        speeds = [
+            self.rate(value) if of_places else value
+            for value, of_places in zip(
+                map(self.graph.expression, self.system.rules), self.system.holonomic, strict=True
+            )
+        ]
+        rows = [self.slopes(value, self.along_velocities) for value in speeds]
+        return rows, [self.less(self.rate(value)) for value in speeds], speeds
+
+    # --- squares ---------------------------------------------------------------------------------
+
+    def moves(self, value: Value) -> bool:
+        """Whether a value has velocities."""
+        return any(x != ZERO for x in self.slopes(value, self.along_velocities))
+
+    def squares(self, value: Value) -> tuple[list[tuple[Value, Value]], Value]:
+        """I and w of the terms ½ I w² of a value, and the rest: w is linear in q̇, and I has none.
+
+        Each node is met once, with all that stands in front of it.
+        """
+        graph = self.graph
+        squares: list[tuple[Value, Value]] = []
+        rest: list[Value] = []
+        fronts: dict[int, list[Value]] = {value[1]: [(value[0], 0)]}
+        for k in reversed(graph.below([value])):
+            if k not in fronts:
+                continue
+            node, front = graph.nodes[k], graph.total(fronts[k])
+            moving = [j for j in parts_of(node) if self.moves((1, j))]
+            if isinstance(node, Sum) and moving:
+                for c, j in node.terms:
+                    fronts.setdefault(j, []).append(graph.product([front, (c, 0)]))
+            elif isinstance(node, Product) and len(moving) == 1 and moving[0] in node.above:
+                [j] = moving
+                others = [(1, i) for i in node.above if i != j]
+                below = [(1, i) for i in node.below]
+                fronts.setdefault(j, []).append(graph.product([front, *others], below))
+            elif isinstance(node, Power) and node.exponent == 2 and self.is_linear(node.base):
+                squares.append((graph.product([front, (2, 0)]), node.base))
+            else:
+                rest.append(graph.product([front, (1, k)]))
+        return squares, graph.total(rest)
+
+    def is_linear(self, value: Value) -> bool:
+        """Whether a value is linear in the velocities, and has some."""
+        slopes = self.slopes(value, self.along_velocities)
+        return self.moves(value) and not any(map(self.moves, slopes))
+
+    def square(self, inertia: Value, rate: Value) -> Row:
+        """½ I w² by Lagrange: I w ∂w/∂q̇ derived by time, less the slopes of both by places.
+
+        Of a place's rate w nothing but I ẇ ∂w/∂q̇ is left, and the graph sees it.
+        """
+        graph = self.graph
+        jacobian = self.slopes(rate, self.along_velocities)
+        push = graph.product([inertia, rate])
+        turned, changed = (self.slopes(x, self.along_places) for x in (rate, inertia))
+        slant = [
+            graph.total(
+                [
+                    graph.product([push, graph.difference(self.rate(J), by_place)]),
+                    graph.product([(Fraction(-1, 2), 0), change, rate, rate]),
+                ]
+            )
+            for J, by_place, change in zip(jacobian, turned, changed, strict=True)
+        ]
+        return Row(jacobian, rate, inertia, self.rate(push), slant)
 
     # --- masses and bodies ------------------------------------------------------------------------
 

@@ -32,7 +32,7 @@ from rigidtop.system.parts import Part, kinetic_energy
 SMALL = 600
 """Nodes of a graph up to which normal forms are tried, to see whether they are shorter."""
 
-NORMAL = (grouped, lambda value, _: value, lambda value, _: short(value))
+NORMAL = (grouped, lambda value, _: short(value))
 """Forms of the entries of M and f."""
 
 CRAMER = 3

@@ -14,7 +14,6 @@ import sympy
 from numpy.typing import ArrayLike
 from sympy import Expr, Symbol
 
-from rigidtop.codegen.heyoka import on_symbols
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
@@ -283,24 +282,14 @@ class SystemMotion:
 
     def _taylor(self, start: Floats, unit: Floats, end: float, rtol: float) -> Flow:
         """By heyoka's Taylor series, of the state in `unit`s: below 1 its tolerance is absolute."""
-        heyoka = taylor.loaded()
         numeric, n = self.system.numeric, len(self.q)
-        state = heyoka.make_vars(*(f"x{k}" for k in range(len(start))))
-        given = [heyoka.par[k] for k in range(len(self.parameters))]
-        time = state[-1] if numeric.timed else heyoka.expression(0.0)
-        own = [x * size for x, size in zip(state[: 2 * n], unit, strict=False)]
-        right = on_symbols(heyoka, numeric.rates, "rates", [time, *own, *given])
-        if numeric.timed:
-            right.append(heyoka.expression(1.0))
-        # Those behind the last that occurs are not counted.
-        occurring = {str(x) for each in right for x in heyoka.get_params(each)}
-        values = [*self.parameters]
-        while values and str(given[len(values) - 1]) not in occurring:
-            values.pop()
-        rows = [(x, rate / size) for x, rate, size in zip(state, right, unit, strict=True)]
-        integrator = heyoka.taylor_adaptive(rows, start / unit, pars=values, tol=rtol)
+        units = np.concatenate([unit[[0, n]], unit[2 * n : 2 * n + numeric.works]])
+        values = [*units, *(1 / units), *self.parameters]
         held = self._held if self.system.constraints else None
-        return taylor.propagated(integrator, end, unit, held=held)
+        with numeric.series(rtol) as integrator:
+            integrator.pars[:] = values[: len(integrator.pars)]
+            integrator.state[:] = start / unit
+            return taylor.propagated(integrator, end, unit, held=held)
 
 
 UNTIL = ""

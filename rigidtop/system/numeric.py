@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import builtins
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from keyword import kwlist
+from typing import Any
 
 import numpy as np
 import sympy
 from sympy import Expr, Symbol
 
 from rigidtop.codegen import numpy as plain
+from rigidtop.codegen.heyoka import on_symbols
 from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
+from rigidtop.motion import taylor
 from rigidtop.system.canonical import Canonical
 from rigidtop.system.names import own_functions
 
@@ -93,6 +97,50 @@ class Numeric:
             forces = dict(zip(self.system.multipliers, (-x for x in results[n:]), strict=True))
             more = (self.system.work_rate.xreplace(forces),)
         return self._function((*self.system.names.v, *results[:n], *more), "rates")
+
+    @cached_property
+    def _free(self) -> dict[float, list[Any]]:
+        """Integrators that nobody uses now, by tolerance."""
+        return {}
+
+    @contextmanager
+    def series(self, rtol: float) -> Iterator[Any]:
+        """heyoka's integrator to a tolerance, for q, q̇, work and the time in units, at t = 0.
+
+        Its parameters are the units of q, of q̇ and of the work, if it is followed, one over each,
+        and the system's own, without those behind the last that occurs.  It is compiled once, and
+        used again for another start; by one thread at a time.
+        """
+        free = self._free.setdefault(rtol, [])
+        integrator = free.pop() if free else self._compiled(rtol)
+        try:
+            integrator.time = 0.0
+            yield integrator
+        finally:
+            free.append(integrator)
+
+    def _compiled(self, rtol: float) -> Any:
+        heyoka, n = taylor.loaded(), len(self.system.q)
+        kinds = [0] * n + [1] * n + [2] * self.works
+        count = max(kinds) + 1
+        own = len(self.system.parameters)
+        given = [heyoka.par[k] for k in range(2 * count + own)]
+        state = heyoka.make_vars(*(f"x{k}" for k in range(len(kinds) + self.timed)))
+        time = state[-1] if self.timed else heyoka.expression(0.0)
+        places = [x * given[k] for x, k in zip(state, kinds[: 2 * n], strict=False)]
+        right = on_symbols(heyoka, self.rates, "rates", [time, *places, *given[2 * count :]])
+        rows = [rate * given[count + k] for rate, k in zip(right, kinds, strict=True)]
+        if self.timed:
+            rows.append(heyoka.expression(1.0))
+        # Those behind the last that occurs are not counted.
+        occurring = {str(x) for row in rows for x in heyoka.get_params(row)}
+        last = max(k for k, x in enumerate(given) if str(x) in occurring)
+        return heyoka.taylor_adaptive(
+            list(zip(state, rows, strict=True)),
+            [0.0] * len(state),
+            pars=[1.0] * (last + 1),
+            tol=rtol,
+        )
 
     def _function(self, results: Sequence[Expr], name: str) -> Function:
         return self.made(results, name, self.system.program.shared)

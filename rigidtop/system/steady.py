@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from sympy import Expr, Matrix, Rational, Symbol
 
 from rigidtop.errors import RigidtopError
-from rigidtop.parameters import in_one_line
 from rigidtop.proof import decide
-from rigidtop.system.names import expression, numbers
+from rigidtop.system.linear import linear, place_of
+from rigidtop.system.names import numbers
 
 if TYPE_CHECKING:
     from rigidtop.system.derived import Derived
@@ -264,77 +264,19 @@ def _is_among(place: Mapping[Expr, Expr], found: Mapping[Expr, Expr]) -> bool:
 def small(system: Derived, about: Mapping[Expr, object]) -> Small:
     """See `System.small`."""
     _of_places(system)
-    names = system.names
-    if not isinstance(about, Mapping):
-        raise RigidtopError(f"a motion is given as {{coordinate: value}}, not {in_one_line(about)}")
-    place = dict.fromkeys(names.v, sympy.S.Zero)
-    for key, value in about.items():
-        symbol = names.find(key) or names.plain(expression("a coordinate", key))
-        if symbol not in (*names.q, *names.v):
-            raise RigidtopError(f"{key} is none of the coordinates and velocities")
-        place[symbol] = names.plain(expression(f"the value of {key}", value))
-    missing = [x for x in names.q if x not in place and _acts(system, x)]
-    if missing:
-        raise RigidtopError(f"the steady motion gives no value for {names.back(missing[0])}")
-    ways, free, pushed = _tangents(system, place)
-    equations = names.plain(system.equations).subs(pushed)
-    residual = equations.subs(dict.fromkeys(names.a, 0))
-    wrong = [x.subs(place) for x in residual]
-    if any(x.has(names.t) for x in wrong):
-        raise RigidtopError("the equations change in time there: no steady motion")
-    for x in wrong:
-        if not _is_zero(x):
-            left = names.back(sympy.factor_terms(x))
-            raise RigidtopError(f"this is no steady motion: a force of {left} is left")
-    moved = [x for x in names.q if place.get(names.v[names.q.index(x)], 0) != 0]
-    for x in moved:
-        if residual.has(x) or any(rule.has(x) for rule in system.rules):
-            raise RigidtopError(f"{names.back(x)} changes, and the equations contain it")
-    still = dict.fromkeys(names.a, sympy.S.Zero)
-    M, C, K = (
-        ways.T * equations.jacobian(list(group)).subs(still).subs(place) * ways
-        for group in (names.a, names.v, names.q)
-    )
-    if any(side.has(names.t) for side in (M, C, K)):
-        raise RigidtopError("the deviations change in time by themselves: no frequencies")
-    given = {names.back(x): names.back(value) for x, value in place.items()}
+    near = linear(system, place_of(system, about))
+    N, back = near.rates, system.names.back
     mass, damping, stiffness = (
-        names.back(side.applyfunc(sympy.factor_terms)) for side in (M, C, K)
+        back((N.T * side * N).applyfunc(sympy.factor_terms))
+        for side in (near.mass, near.damping, near.stiffness)
     )
-    own = tuple(system.q[k] for k in free)
-    return Small(system, given, mass, damping, stiffness, own)
-
-
-def _acts(system: Derived, x: Symbol) -> bool:
-    return any(y.has(x) for y in (system.plain, *system.generalised_forces, *system.rules))
+    given = {back(x): back(value) for x, value in near.place.items()}
+    return Small(system, given, mass, damping, stiffness, tuple(system.q[k] for k in near.speeds))
 
 
 def _of_places(system: Derived) -> None:
     for rule, of_places in zip(system.constraints, system.holonomic, strict=True):
         if not of_places:
-            raise RigidtopError(f"{rule} = 0 is a constraint of velocities: see S.balance")
-
-
-def _tangents(
-    system: Derived, place: Mapping[Expr, Expr]
-) -> tuple[Matrix, list[int], dict[Expr, Expr]]:
-    """The deviations that the constraints allow as columns, whose they are, the multipliers."""
-    names, n = system.names, len(system.q)
-    if not system.constraints:
-        return sympy.eye(n), [*range(n)], {}
-    for rule, given in zip(system.rules, system.constraints, strict=True):
-        if not _is_zero(rule.subs(place)):
-            raise RigidtopError(f"the constraint {given} = 0 does not hold there")
-    A = system.rolling[:, :n].subs(place)
-    following = A.rref(iszerofunc=_is_zero)[1]
-    if len(following) < A.rows:
-        raise RigidtopError("the constraints depend on one another there")
-    still = dict.fromkeys(names.a, sympy.S.Zero)
-    left = names.plain(system.equations).subs(still).subs(place)
-    [pushed] = sympy.solve([left[k] for k in following], system.multipliers, dict=True)
-    columns = Matrix.hstack(*A.nullspace(iszerofunc=_is_zero), sympy.zeros(n, 0))
-    return columns, [k for k in range(n) if k not in following], pushed
-
-
-def _is_zero(value: Expr) -> bool:
-    return decide.vanishes(value) or decide.vanishes(sympy.simplify(value))
+            raise RigidtopError(
+                f"{rule} = 0 is a constraint of velocities: see S.balance and S.linearise"
+            )

@@ -183,6 +183,32 @@ class System(Computed):
 
         return small(self, about)
 
+    def linearise(
+        self, at: Mapping[Expr, object], inputs: Expr | Sequence[Expr] = ()
+    ) -> tuple[Matrix, Matrix]:
+        """A and B of ẋ = A x + B u near a steady motion, x the deviations of (q, q̇).
+
+        `at` gives the steady values of coordinates and velocities, and of inputs and parameters
+        where they have any; velocities and inputs that are not given are zero.  `inputs` are
+        letters of the forces or of L.  With constraints x has the coordinates and the velocities
+        that are independent: of those that a constraint ties together the first follows the others.
+        Raises RigidtopError where that is no steady motion.
+
+        >>> from sympy import cos, symbols
+        >>> m, l, g = symbols("m l g", positive=True)
+        >>> theta, w, N = symbols("theta w N", real=True)
+        >>> bob = System(m*l**2*w**2/2 + m*g*l*cos(theta), [theta], [w], forces=[N])
+        >>> bob.linearise(at={theta: 0}, inputs=[N])
+        (Matrix([
+        [   0, 1],
+        [-g/l, 0]]), Matrix([
+        [         0],
+        [1/(l**2*m)]]))
+        """
+        from rigidtop.system.linear import linearise
+
+        return linearise(self, at, inputs)
+
     def certify(self, parameters: Mapping[Expr, Any], seed: int = 0) -> dict[str, float]:
         """How far other ways to q̈ are from the program, at most, at states that are drawn.
 

@@ -108,6 +108,18 @@ def test_the_heavy_top_is_short():
     assert system.program.operations <= 103
 
 
+def test_a_lagrangian_alone_gives_as_short_a_program_as_its_parts():
+    by_parts = chain(12)
+    bobs = [rt.Mass(m, part.place) for part in by_parts.parts]
+    T = sum(m * bob.place.diff(dynamicsymbols._t).dot(bob.place.diff(dynamicsymbols._t)) / 2
+            for bob in bobs)  # fmt: skip
+    V = sum(m * g * bob.place[1] for bob in bobs)
+    system = rt.System.of_energies(T, V, by_parts.q)
+    assert system.program.operations <= by_parts.program.operations
+    at = row(system)
+    assert system.numeric.solved.scalar(*at) == pytest.approx(by_parts.numeric.solved.scalar(*at))
+
+
 TERMS = [x, y, x * y, sin(x), cos(y), sin(x + y), cos(x) * sin(y), x**2, sympy.exp(y / 3), z * x]
 
 
