@@ -61,7 +61,25 @@ class Shown:
     name: str = ""
 
 
-Block = Prose | Heading | Shown
+@dataclass(frozen=True)
+class Box:
+    """Where a box begins, which holds what goes beyond the main thread; its words are its title.
+
+    One `for_lecturers` is about the notes, not about the subject.
+    """
+
+    words: str
+    at: int
+    pieces: tuple[Any, ...] = ()
+    for_lecturers: bool = False
+
+
+@dataclass(frozen=True)
+class BoxEnd:
+    """Where a box ends."""
+
+
+Block = Prose | Heading | Shown | Box | BoxEnd
 
 
 @dataclass(frozen=True)
