@@ -47,7 +47,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="also slides.html for the projector, without boxes and solutions: arrow keys",
     )
     parser.add_argument(
-        "--solutions", action="store_true", help="with --slides: the solutions on slides too"
+        "--solutions", action="store_true", help="with --slides: also the exercises, solved"
     )
     parser.add_argument(
         "--fragment",

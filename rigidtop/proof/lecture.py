@@ -107,6 +107,16 @@ class Text:
     def lines(self) -> tuple[Line, ...]:
         return tuple(block.line for block in self.shown if block.line is not None)
 
+    @cached_property
+    def boxed(self) -> frozenset[str]:
+        """The ids of the lines that stand in boxes."""
+        ids, inside = set[str](), False
+        for block in self.blocks:
+            inside = isinstance(block, Box) or (inside and not isinstance(block, BoxEnd))
+            if inside and isinstance(block, Shown) and block.line is not None:
+                ids.add(block.line.id)
+        return frozenset(ids)
+
 
 _NUMBER = re.compile(r"\((\d+(?:\.\d+)+[a-z]?)\)")
 """How running text cites a numbered equation."""

@@ -10,9 +10,9 @@ Headings and other paragraphs are the lecture's text.  Only the last sentence of
 front of a display says a move (`rigidtop.read.sentence`).  Beneath a heading that begins with
 "Laws", and deeper ones beneath that, it names the law, and what stands before it says where it is
 from.
-``<a id="constant-rate"></a>`` gives the lines below it a name, up to the next name, heading or
-numbered equation.  What goes beyond the main thread stands in a box, which a code host folds as our
-pages do, and has no headings:
+``<a id="constant-rate"></a>`` gives the lines below it a name, up to the next name, heading, box
+or numbered equation.  What goes beyond the main thread stands in a box, which a code host folds as
+our pages do, and has no headings:
 
     <details><summary>How parallel they are</summary>
 
@@ -101,7 +101,7 @@ def _named(source: str) -> Iterator[tuple[str, int, str]]:
             text = text[anchored.end() :]
             if not text:
                 continue
-        if text.startswith("#") and not fresh:
+        if not fresh and (text.startswith("#") or _NEARLY_BOX.match(text)):
             name = ""
         if text.lstrip().startswith("$$"):
             text = text.strip()
@@ -189,8 +189,10 @@ class _Reader:
             words = pieces(begins[2], self.notation)
             self.blocks.append(Box(begins[2], at, words, bool(begins[1])))
         elif text.strip() == _BOX_END and self.outside is not None:
-            self.page, self.near = self.outside
-            self.outside = None
+            main, self.near = self.outside
+            before = self.above[: len(self.above) - len(self.page)]
+            self.above = [*before, *self.page[len(main) :], *main]
+            self.page, self.outside = main, None
             self.blocks.append(BoxEnd())
         else:
             self.fault(
@@ -408,4 +410,6 @@ def read_beside(file: str, source: str, lecture: Lecture, notation: Notation) ->
 
 
 def _known(text: Text) -> list[Known]:
-    return [Known(x.id, x.equations, x.scope, called=x.called) for x in text.lines]
+    """The lines of a page, the main thread last: of two that say a letter it has the last word."""
+    lines = sorted(text.lines, key=lambda line: line.id not in text.boxed)
+    return [Known(x.id, x.equations, x.scope, called=x.called) for x in lines]

@@ -505,18 +505,38 @@ def is_number(name: str) -> bool:
 
 
 def projected(blocks: Iterable[Block], solutions: bool = False) -> list[Block]:
-    """What stands on slides: the main thread, without what nobody projects behind it."""
+    """What stands on slides: the main thread, without what nobody projects behind it.
+
+    Exercises are there with their `solutions`, or not at all.  What would lead to what is left out
+    has its words alone.
+    """
     left_out = NOT_PROJECTED - {"solutions"} if solutions else NOT_PROJECTED
     made: list[Block] = []
     shown = True
-    for block in main_thread(blocks):
+    for block in main_thread(block for block in blocks if not isinstance(block, Legend)):
         if isinstance(block, Heading) and block.level == 1:
             shown = block.anchor not in left_out
+        elif isinstance(block, Heading):
+            shown = True
+        elif isinstance(block, ExerciseHead) and not solutions:
+            if made and isinstance(made[-1], Subhead):  # Exercises
+                made.pop()
+            shown = False
         made += [block] * shown
-    return made
+    there: set[str] = set()
+
+    def noted(part: Any, _: str) -> Any:
+        there.add("" if isinstance(part, Cited) else getattr(part, "anchor", ""))
+        return part
+
+    def leading(part: Any, _: str) -> Any:
+        return part.words if isinstance(part, Cited) and part.anchor not in there else part
+
+    walked(tuple(made), noted)
+    return [walked(block, leading) for block in made]
 
 
-NOT_PROJECTED = frozenset({"solutions", "laws", "letters", "map"})
+NOT_PROJECTED = frozenset({"solutions", "laws", "letters", "map", "results"})
 """The anchors of sections that stand on no slide."""
 
 IN_COLUMNS = ("solutions", "laws")

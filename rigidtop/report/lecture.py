@@ -179,7 +179,7 @@ class Wanted:
     pdf: bool = False
     slides: bool = False
     solutions: bool = False
-    """On the slides too."""
+    """Exercises and their solutions on the slides too."""
     fragment: bool = False
     myst: bool = False
     player: Callable[[Mapping[str, Sequence[Motion]]], str] | None = None
