@@ -22,7 +22,7 @@ from pathlib import Path
 from sympy import Symbol
 
 from rigidtop.errors import RigidtopError
-from rigidtop.proof.lecture import Heading, Prose, Text
+from rigidtop.proof.lecture import Heading, Prose, Shown, Text
 from rigidtop.proof.page import Claim, Page
 from rigidtop.proof.words import bold
 from rigidtop.read.statements import statements
@@ -77,7 +77,7 @@ def _claims(text: Text) -> Iterator[Claim]:
             words = block.words
         elif isinstance(block, Prose):
             words = _SENTENCE.split(block.words)[-1]
-        elif block.line is not None:
+        elif isinstance(block, Shown) and block.line is not None:
             for name in dict.fromkeys((block.name, *(e.tag for e in block.line.equations))):
                 if name and name not in named:
                     named.add(name)

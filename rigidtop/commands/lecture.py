@@ -42,7 +42,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="the record of every verdict instead: assumptions, counterexamples, measures",
     )
     parser.add_argument(
-        "--slides", action="store_true", help="also slides.html for the projector: arrow keys"
+        "--slides",
+        action="store_true",
+        help="also slides.html for the projector, without boxes and solutions: arrow keys",
+    )
+    parser.add_argument(
+        "--solutions", action="store_true", help="with --slides: also the exercises, solved"
     )
     parser.add_argument(
         "--fragment",
@@ -153,6 +158,7 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         Wanted(
             options.pdf,
             options.slides,
+            options.solutions,
             options.fragment,
             options.format == "myst",
             player if live else None,

@@ -61,7 +61,25 @@ class Shown:
     name: str = ""
 
 
-Block = Prose | Heading | Shown
+@dataclass(frozen=True)
+class Box:
+    """Where a box begins, which holds what goes beyond the main thread; its words are its title.
+
+    One `for_lecturers` is about the notes, not about the subject.
+    """
+
+    words: str
+    at: int
+    pieces: tuple[Any, ...] = ()
+    for_lecturers: bool = False
+
+
+@dataclass(frozen=True)
+class BoxEnd:
+    """Where a box ends."""
+
+
+Block = Prose | Heading | Shown | Box | BoxEnd
 
 
 @dataclass(frozen=True)
@@ -88,6 +106,16 @@ class Text:
     @property
     def lines(self) -> tuple[Line, ...]:
         return tuple(block.line for block in self.shown if block.line is not None)
+
+    @cached_property
+    def boxed(self) -> frozenset[str]:
+        """The ids of the lines that stand in boxes."""
+        ids, inside = set[str](), False
+        for block in self.blocks:
+            inside = isinstance(block, Box) or (inside and not isinstance(block, BoxEnd))
+            if inside and isinstance(block, Shown) and block.line is not None:
+                ids.add(block.line.id)
+        return frozenset(ids)
 
 
 _NUMBER = re.compile(r"\((\d+(?:\.\d+)+[a-z]?)\)")

@@ -10,8 +10,18 @@ Headings and other paragraphs are the lecture's text.  Only the last sentence of
 front of a display says a move (`rigidtop.read.sentence`).  Beneath a heading that begins with
 "Laws", and deeper ones beneath that, it names the law, and what stands before it says where it is
 from.
-``<a id="constant-rate"></a>`` gives the lines below it a name, up to the next name, heading or
-numbered equation.
+``<a id="constant-rate"></a>`` gives the lines below it a name, up to the next name, heading, box
+or numbered equation.  What goes beyond the main thread stands in a box, which a code host folds as
+our pages do, and has no headings:
+
+    <details><summary>How parallel they are</summary>
+
+    …
+
+    </details>
+
+Behind it "it" and "the discriminant" are those of the main thread, if that has any.  A box that
+begins with ``<details class="lecturer">`` is not for students.
 """
 
 from __future__ import annotations
@@ -31,7 +41,17 @@ from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.derivation import Line
 from rigidtop.proof.equation import Equation, symbols_of
-from rigidtop.proof.lecture import Block, Fault, Heading, Lecture, Prose, Shown, Text
+from rigidtop.proof.lecture import (
+    Block,
+    Box,
+    BoxEnd,
+    Fault,
+    Heading,
+    Lecture,
+    Prose,
+    Shown,
+    Text,
+)
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
@@ -45,6 +65,9 @@ _HIDDEN = re.compile(r"\$\$|\\\[|\\begin\{|^```+ *math", re.M)
 _TAG = re.compile(r"\\tag\{([^}]+)\}")
 _ANCHOR = re.compile(r'\s*<a id="([\w.-]+)"></a>\s*')
 _NEARLY_ANCHOR = re.compile(r"\s*<a\b(?![^>]*\bhref)", re.I)
+_BOX = re.compile(r'<details( class="lecturer")?><summary>(.+)</summary>\s*')
+_NEARLY_BOX = re.compile(r"\s*</?(?:details|summary)\b", re.I)
+_BOX_END = "</details>"
 _LIST = re.compile(r"\s*(?:[-*+]|\d+[.)])\s")
 
 
@@ -60,6 +83,9 @@ def read_page(
     for text, at, reader.anchor in _named(source):
         reader.take(text, at)
     reader.end()
+    if reader.outside is not None:
+        reader.fault(source.count("\n") + 1, f"the last box has no end: {_BOX_END}")
+        reader.box(_BOX_END, 0)
     if not any(isinstance(block, (Prose, Shown)) for block in reader.blocks):
         reader.faults.append(Fault(1, "the page is empty: it has neither words nor displays"))
     return Text(file, name, tuple(reader.blocks), tuple(reader.faults))
@@ -75,7 +101,7 @@ def _named(source: str) -> Iterator[tuple[str, int, str]]:
             text = text[anchored.end() :]
             if not text:
                 continue
-        if text.startswith("#") and not fresh:
+        if not fresh and (text.startswith("#") or _NEARLY_BOX.match(text)):
             name = ""
         if text.lstrip().startswith("$$"):
             text = text.strip()
@@ -115,6 +141,8 @@ class _Reader:
     faults: list[Fault] = field(default_factory=list)
     anchor: str = ""
     source: str = ""
+    outside: tuple[list[Known], list[Known]] | None = None
+    """In a box the lines of the `page` and those `near`, without the box's own."""
 
     def take(self, text: str, at: int) -> None:
         if is_of_letters(text):  # they are the collection's
@@ -125,6 +153,9 @@ class _Reader:
             self.heading(level, text[level:].strip(), at)
             if not self.laws or level <= self.laws:
                 self.laws = level if text[level:].split()[:1] == ["Laws"] else 0
+        elif _NEARLY_BOX.match(text):
+            self.end()
+            self.box(text, at)
         elif text.startswith("$$"):
             self.display(text.strip("$").strip(), at)
         elif _HIDDEN.search(text):
@@ -149,7 +180,31 @@ class _Reader:
     def prose(self, words: str, at: int) -> None:
         self.blocks.append(Prose(words, at, pieces(words, self.notation)))
 
+    def box(self, text: str, at: int) -> None:
+        """A box begins or ends."""
+        begins = _BOX.fullmatch(text)
+        if begins is not None and self.outside is None:
+            self.outside = [*self.page], self.near
+            self.near = []
+            words = pieces(begins[2], self.notation)
+            self.blocks.append(Box(begins[2], at, words, bool(begins[1])))
+        elif text.strip() == _BOX_END and self.outside is not None:
+            main, self.near = self.outside
+            before = self.above[: len(self.above) - len(self.page)]
+            self.above = [*before, *self.page[len(main) :], *main]
+            self.page, self.outside = main, None
+            self.blocks.append(BoxEnd())
+        else:
+            self.fault(
+                at,
+                "a box begins with <details><summary>its title</summary> and ends with "
+                "</details>, each between empty lines, and has no box in it",
+            )
+
     def heading(self, level: int, words: str, at: int) -> None:
+        if self.outside is not None:
+            self.fault(at, f"a box has no heading in it: end it above {words!r}, with {_BOX_END}")
+            self.box(_BOX_END, at)
         self.near = []
         self.blocks.append(Heading(level, words, at, pieces(words, self.notation)))
 
@@ -355,4 +410,6 @@ def read_beside(file: str, source: str, lecture: Lecture, notation: Notation) ->
 
 
 def _known(text: Text) -> list[Known]:
-    return [Known(x.id, x.equations, x.scope, called=x.called) for x in text.lines]
+    """The lines of a page, the main thread last: of two that say a letter it has the last word."""
+    lines = sorted(text.lines, key=lambda line: line.id not in text.boxed)
+    return [Known(x.id, x.equations, x.scope, called=x.called) for x in lines]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any, TypeVar
 
@@ -328,6 +328,22 @@ class Subhead:
 
 
 @dataclass(frozen=True)
+class Box:
+    """Where a box begins, which holds what goes beyond the main thread.
+
+    One `for_lecturers` is about the notes, not about the subject.
+    """
+
+    title: str
+    for_lecturers: bool = False
+
+
+@dataclass(frozen=True)
+class BoxEnd:
+    """Where a box ends."""
+
+
+@dataclass(frozen=True)
 class Results:
     """The numbered equations on one page: each number with its lines, its words, its verdict."""
 
@@ -360,6 +376,8 @@ Block = (
     | Figure
     | ExerciseHead
     | Subhead
+    | Box
+    | BoxEnd
     | Results
     | Legend
     | NameLine
@@ -422,6 +440,32 @@ def groups(block: Display) -> list[list[Row]]:
     return made
 
 
+def main_thread(blocks: Iterable[Block]) -> list[Block]:
+    """The blocks without the boxes.
+
+    >>> told = [Paragraph(("a",)), Box("More"), Paragraph(("b",)), BoxEnd(), Paragraph(("c",))]
+    >>> [block.content for block in main_thread(told)]
+    [('a',), ('c',)]
+    """
+    return list(_outside(blocks, lambda _: True))
+
+
+def for_students(blocks: Iterable[Block]) -> list[Block]:
+    """The blocks without the boxes that are for lecturers."""
+    return list(_outside(blocks, lambda box: box.for_lecturers))
+
+
+def _outside(blocks: Iterable[Block], left_out: Callable[[Box], bool]) -> Iterator[Block]:
+    """The blocks but for the boxes that are left out, with all in them."""
+    inside: list[bool] = []  # of each box that is open, whether it is left out
+    for block in blocks:
+        inside += [left_out(block)] if isinstance(block, Box) else []
+        if not any(inside):
+            yield block
+        if isinstance(block, BoxEnd):
+            inside.pop()
+
+
 def quantities(title: str, rows: Iterable[tuple[str, Piece, str]]) -> Table:
     """What was given or found: words, value, unit."""
     head = ("what", "value", "unit")
@@ -459,6 +503,41 @@ def is_number(name: str) -> bool:
     """Whether a claim is named by its equation's number."""
     return bool(re.fullmatch(r"\d+\.\d+[a-z]?", name))
 
+
+def projected(blocks: Iterable[Block], solutions: bool = False) -> list[Block]:
+    """What stands on slides: the main thread, without what nobody projects behind it.
+
+    Exercises are there with their `solutions`, or not at all.  What would lead to what is left out
+    has its words alone.
+    """
+    left_out = NOT_PROJECTED - {"solutions"} if solutions else NOT_PROJECTED
+    made: list[Block] = []
+    shown = True
+    for block in main_thread(block for block in blocks if not isinstance(block, Legend)):
+        if isinstance(block, Heading) and block.level == 1:
+            shown = block.anchor not in left_out
+        elif isinstance(block, Heading):
+            shown = True
+        elif isinstance(block, ExerciseHead) and not solutions:
+            if made and isinstance(made[-1], Subhead):  # Exercises
+                made.pop()
+            shown = False
+        made += [block] * shown
+    there: set[str] = set()
+
+    def noted(part: Any, _: str) -> Any:
+        there.add("" if isinstance(part, Cited) else getattr(part, "anchor", ""))
+        return part
+
+    def leading(part: Any, _: str) -> Any:
+        return part.words if isinstance(part, Cited) and part.anchor not in there else part
+
+    walked(tuple(made), noted)
+    return [walked(block, leading) for block in made]
+
+
+NOT_PROJECTED = frozenset({"solutions", "laws", "letters", "map", "results"})
+"""The anchors of sections that stand on no slide."""
 
 IN_COLUMNS = ("solutions", "laws")
 """The anchors of headings from which on pages have two columns."""

@@ -43,7 +43,15 @@ class Parts:
 
     def beside(self, judgement: Judgement, lines: Sequence[Equation]) -> Sequence[b.Mark | b.Block]:
         """What stands beside and behind the `lines` of a claim."""
-        return claim_blocks(judgement) if self.recorded else marked(judgement, lines)
+        if self.recorded:
+            return claim_blocks(judgement)
+        made = marked(judgement, lines)
+        quarrel = [each for each in made if not isinstance(each, b.Mark)]
+        if not quarrel:
+            return made
+        # A student has no quarrel with the notes.
+        box = b.Box("The notes", for_lecturers=True), *quarrel, b.BoxEnd()
+        return (*(each for each in made if isinstance(each, b.Mark)), *box)
 
     def alone(self, judgement: Judgement) -> list[b.Block]:
         """A claim that has no lines."""
@@ -258,8 +266,11 @@ STARTS = (
 )
 
 
-def summary(judged: b.Judged, parts: Parts) -> list[b.Block]:
-    """Every numbered equation once, on one page: as the text has it, if it does."""
+def summary(judged: b.Judged, parts: Parts, student: bool = False) -> list[b.Block]:
+    """Every numbered equation once, on one page: as the text has it, if it does.
+
+    For a `student` without what the notes say amiss.
+    """
     rows = []
     for _, judgements in judged:
         for judgement in judgements:
@@ -273,9 +284,10 @@ def summary(judged: b.Judged, parts: Parts) -> list[b.Block]:
                 amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
                 words: b.Rich = (judgement.claim.says,)
                 if amiss:
-                    right = (f.check.reason for f in judgement.corrections())
+                    right = [*filter(None, (f.check.reason for f in judgement.corrections()))]
                     said = judgement.claim.says.rstrip(".")
-                    words = (SAID, " ".join((f"{said}.", *filter(None, right))))
+                    words = (SAID, " ".join((f"{said}.", *right)))
+                    words = (" ".join(right),) if student and right else words
                 rows.append((name, tuple(equations), words, judgement.verdict))
     if not rows:
         return []

@@ -80,7 +80,7 @@ def write(
     As `slides` it is for the projector: a derivation is uncovered line by line with the keys.
     """
     if slides:
-        document = replace(document, blocks=tuple(map(_in_full, document.blocks[: _end(document)])))
+        document = replace(document, blocks=tuple(map(_in_full, document.blocks)))
     body = mathml.held("\n".join(_sections(document, figures)))
     byline = f'\n<p class="byline">{prose_html(document.byline)}</p>' if document.byline else ""
     source = f'<p class="colophon">{prose_html(document.colophon)}</p>'
@@ -104,12 +104,6 @@ def write(
 </main>
 {player}{script}"""
     return visible(page(unmarked(document.title), kinds, body, "lecture" * document.lecture))
-
-
-def _end(document: b.Document) -> int | None:
-    """Where the list of symbols begins, which nobody projects: it is the last of a lecture."""
-    last = document.blocks[-1:]
-    return -2 if last and isinstance(last[0], b.Table) and last[0].kind == "symbols" else None
 
 
 def _in_full(block: b.Block) -> b.Block:
@@ -391,6 +385,16 @@ def _(block: b.Subhead) -> str:
     level = block.level + 1 if block.level else 5
     kind = ' class="sub"' if block.level else ""
     return f"<h{level}{kind}>{prose_html(block.words)}</h{level}>"
+
+
+@html_block.register
+def _(block: b.Box) -> str:
+    return f'<details class="box"><summary>{prose_html(block.title)}</summary>'
+
+
+@html_block.register
+def _(_: b.BoxEnd) -> str:
+    return "</details>"
 
 
 _DATE = re.compile(r"\d{4}-\d\d-\d\d")

@@ -178,6 +178,8 @@ class Wanted:
 
     pdf: bool = False
     slides: bool = False
+    solutions: bool = False
+    """Exercises and their solutions on the slides too."""
     fragment: bool = False
     myst: bool = False
     player: Callable[[Mapping[str, Sequence[Motion]]], str] | None = None
@@ -253,10 +255,11 @@ def lecture(
     blocks += handout.sections(judged, solutions, parts)
     if chart is not None:
         blocks += [b.Heading(1, "", "What rests on what", "map"), numbered[chart.name]]
-    blocks += handout.summary(judged, parts)
+    blocks += handout.summary(judged, parts, student)
     if not student and solutions:
         blocks += handout.solutions(solutions, parts, told)
     blocks += laws
+    blocks = b.for_students(blocks) if student else blocks
     blocks = handout.linked(handout.parted([*blocks, *symbol_list(blocks, LETTERS)]))
     front = edition.front
     return edition.handed_out(front.title, front.subtitle, blocks), pictures
@@ -399,15 +402,16 @@ def _write(
     pages = {name: page.decode() for name, (_, page) in drawn.items()}
     paths = {name: f"figures/{name}.pdf" for name in drawn}
     source = tex.write(whole, paths)
-    shown = {each.name: each.motions() for each in pictures}
-    player = wanted.player(shown) if wanted.player else ""
+    motions = {each.name: each.motions() for each in pictures}
+    player = wanted.player(motions) if wanted.player else ""
     contents = {
         **files,
         f"{stem}.tex": source.encode(),
         f"{stem}.html": html.write(whole, pages, player=player).encode(),
     }
     if wanted.slides:
-        slides = html.write(whole, pages, slides=True, player=player)
+        shown = replace(whole, blocks=tuple(b.projected(whole.blocks, wanted.solutions)))
+        slides = html.write(shown, pages, slides=True, player=player)
         contents["slides.html"] = slides.encode()
     if wanted.fragment:
         contents |= {name: text.encode() for name, text in tex.chapters(whole, paths).items()}

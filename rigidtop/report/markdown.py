@@ -64,6 +64,10 @@ def _block(block: b.Block) -> str:
             return f"**{words(block.title)}** ({words(block.asks)})"
         case b.Subhead():
             return f"**{words(block.words)}**"
+        case b.Box():
+            return f"<details><summary>{words(block.title)}</summary>"
+        case b.BoxEnd():
+            return "</details>"
         case b.Table():
             rows = [[running(cell).strip() for cell in row] for row in block.cells]
             if block.kind == "values":

@@ -106,6 +106,10 @@ def _block(block: b.Block, above: int) -> str:
             return f"({block.anchor})=\n# {markdown.words(title)}"
         case b.Subhead():
             return f"{'#' * (block.level - above)} {markdown.words(block.words)}"
+        case b.Box():
+            return f"````{{admonition}} {markdown.words(block.title)}\n:class: dropdown\n"
+        case b.BoxEnd():
+            return "````"
         case b.ExerciseHead():
             head = f"{block.label}. {block.title}"
             level = "#" * (block.level - above)

@@ -42,8 +42,10 @@ def _lines(block: b.Block, width: int) -> list[str]:
             return ["", f"{block.label}:", *(line for item in items for line in item)]
         case b.ExerciseHead():
             return _wrapped(f"{block.title}  ({block.asks})", width)
-        case b.Subhead():
-            return ["", f"── {unmarked(block.words)} ".ljust(width, "─")]
+        case b.Subhead(words=words) | b.Box(title=words):
+            return ["", f"── {unmarked(words)} ".ljust(width, "─")]
+        case b.BoxEnd():
+            return ["", "─" * width]
         case b.Table():
             return _table(block, width)
     raise TypeError(f"no text for {type(block).__name__}")

@@ -435,5 +435,15 @@ ROOM = 62.0
 
 
 @tex_block.register
+def _(block: b.Box) -> str:
+    return rf"\rtbox{{{prose(block.title)}}}"
+
+
+@tex_block.register
+def _(_: b.BoxEnd) -> str:
+    return r"\rtboxend"
+
+
+@tex_block.register
 def _(block: b.Subhead) -> str:
     return rf"\{'rtsub' if block.level else 'subhead'}{{{prose(block.words)}}}"

@@ -324,6 +324,16 @@ def _(block: b.Subhead) -> str:
 
 
 @typst_block.register
+def _(block: b.Box) -> str:
+    return f"#boxed[{prose(block.title)}]["
+
+
+@typst_block.register
+def _(_: b.BoxEnd) -> str:
+    return "]"
+
+
+@typst_block.register
 def _(block: b.Legend) -> str:
     items = " ".join(f'#sign("{verdict}") {prose(words)}.' for verdict, words in block.rows)
     return f"#text(size: 9pt, fill: muted)[{plain(block.head)}: {items}]"

@@ -15,7 +15,7 @@ from rigidtop.notation import NOTES, Notation
 from rigidtop.notation.characters import TEX_GREEK
 from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.lecture import Heading, Lecture, Prose, Shown, Text
+from rigidtop.proof.lecture import Box, BoxEnd, Heading, Lecture, Prose, Shown, Text
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Condition
 from rigidtop.proof.trial import diagnose
@@ -115,9 +115,14 @@ def text_blocks(
                     blocks += behind
             continue
         close()
+        if isinstance(block, BoxEnd):
+            blocks.append(b.BoxEnd())
+            continue
         content = running(block.pieces, notation, figures)
         if isinstance(block, Heading):
             blocks.append(b.Subhead(_titled(content)))
+        elif isinstance(block, Box):
+            blocks.append(b.Box(_titled(content), block.for_lecturers))
         else:
             blocks.append(b.Paragraph(content))
             place(block.pieces)
@@ -161,7 +166,7 @@ def law_blocks(
                 head = [b.Subhead(name[:1].upper() + name[1:])]
             elif isinstance(block, Prose):
                 (head or blocks).append(b.Paragraph(running(block.pieces, notation)))
-            elif block.line is not None and block.line.id in cited:
+            elif isinstance(block, Shown) and block.line and block.line.id in cited:
                 blocks += [*head, b.Display(tuple(told_rows(lecture, block.line, notation)))]
                 head = []
     return blocks

@@ -115,7 +115,7 @@ class Derivation:
                 made.append(f"{'#' * block.level} {block.words}")
             elif isinstance(block, Prose):
                 made.append(block.words)
-            elif block.line is not None:
+            elif isinstance(block, Shown) and block.line is not None:
                 tag = next((e.tag for e in block.line.equations if e.tag), "")
                 number = rf" \tag{{{tag}}}" if tag else ""
                 sentence = f"{block.line.source} {block.line.sentence}".lstrip()

@@ -17,7 +17,7 @@ const slides = (() => {
 
   // What a slide cannot part: a row of a table, an item, a block with its side note.  All is
   // measured before anything is moved.
-  const room = height - 116;
+  const room = height - 92;
   const heads = (node) => node.matches("h2, h3, h4, h5, .head");
   const box = (node) => node.getBoundingClientRect();
   const units = [];
@@ -68,7 +68,7 @@ const slides = (() => {
     const shown = before.figures.length ? -0.5 : 0; // its figures come next
     const first = unit.whole.matches(".sub") && units[k + 1] ? units[k + 1] : unit; // Exercises
     if (heads(first.whole) && (shown || !first.whole.matches(".sub"))) return -100;
-    if (heads(unit.whole)) return -1.1;
+    if (heads(unit.whole)) return -0.2;
     const leads = before.whole.matches("p") && unit.whole.matches(".row"); // to what comes next
     return shown + (leads ? 0.9 : 0) + (earlier && heads(earlier.whole) ? 0.4 + leads : 0);
   };
@@ -76,7 +76,7 @@ const slides = (() => {
   const laid = (first, last, needs) => {
     const bare = last.end - first.start + (first === units[0] ? 0 : first.again) - room;
     const recalled = [...new Set([...needs, first.goesOn])]
-      .filter((row) => row?.at < first.at).sort((a, b) => a.at - b.at).slice(-3);
+      .filter((row) => row?.at < first.at).sort((a, b) => a.at - b.at).slice(-1);
     const over = () => recalled.reduce((sum, { tall }) => sum + tall, bare);
     while (first === last && recalled.length && over() > 0) recalled.shift();
     return { bare, over: over(), recalled };
