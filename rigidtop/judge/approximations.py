@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from rigidtop.judge import definitions
+from rigidtop.judge import definitions, worth
 from rigidtop.judge.context import LINEAR
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, Slip, slip
 from rigidtop.judge.jets import jet_of, jets
@@ -29,7 +29,7 @@ def judged(question: Question) -> Judgement:
         return compared(*sides, question.meant, question.rests_on_meaning, nearly=True), context
     if question.holds():
         return question.follows()
-    outcome = nearly_equal(question)
+    outcome = nearly_equal(question) or worth.number(question, nearly=True)
     if outcome is not None:
         return outcome
     wrong = near_slip(question)

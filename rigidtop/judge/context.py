@@ -174,7 +174,8 @@ class Context:
         kept = tuple(
             c
             for c in self.constraints
-            if (is_open(c.scope, scope) or c.kind == LAW) and c.until in (None, sentence)
+            if (is_open(c.scope, scope) or c.kind == LAW or _is_listed(c, scope))
+            and c.until in (None, sentence)
         )
         definitions = {
             letter: definition
@@ -201,6 +202,13 @@ def _reached(node: Node, definitions: Mapping[Letter, Definition]) -> list[Lette
         reached += new
         left += [definitions[x].node for x in new]
     return reached
+
+
+def _is_listed(constraint: Constraint, now: tuple[int, ...]) -> bool:
+    """Whether it is said in an item of a list, and of the list as a whole."""
+    scope = constraint.scope
+    outer = next((scope[:k] for k, number in enumerate(scope) if number < 0), scope)
+    return constraint.kind == PREMISE and is_open(outer, now)
 
 
 def is_open(scope: tuple[int, ...], now: tuple[int, ...]) -> bool:

@@ -16,6 +16,7 @@ from rigidtop.judge import (
     oscillations,
     paths,
     settings,
+    worth,
 )
 from rigidtop.judge.context import Constraint
 from rigidtop.judge.faults import NUMBERS
@@ -191,6 +192,7 @@ def _judged_new(question: Question, holds: bool | None) -> Judgement:
         or novelties.letters(question)
         or settings.setting(question)
         or settings.chosen(question)
+        or worth.number(question)
         or novelties.law(question)
         or _wrong(question, holds)
     )
@@ -213,7 +215,10 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
     if fixed is not None:
         return fixed
     outcome = (
-        faults.missing_term(question) or faults.contradiction(question) or _worked_out(question)
+        faults.missing_term(question)
+        or faults.missing_factor(question)
+        or faults.contradiction(question)
+        or _worked_out(question)
     )
     return outcome or Outcome(UNDECIDED, DOES_NOT_FOLLOW), context
 

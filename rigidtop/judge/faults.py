@@ -271,6 +271,29 @@ def missing_term(question: Question) -> Outcome | None:
     return Outcome(FALSE, f"{words} is missing", question.rests_on, words, side)
 
 
+def missing_factor(question: Question) -> Outcome | None:
+    """One factor that is missing in an equation of motion."""
+    if len(question.both) != 1 or not question.worlds.count or question.path is not None:
+        return None
+    left, right = question.both[0]
+    tops = highest(question.equations)
+    if not any(left.has(x) for x in tops) or right == 0:
+        return None
+    solved = _solved_for(tops, question.equations, left)
+    if solved is None:
+        return None
+    factor = factor_terms(cancel(together(solved / right)))
+    base, exponent = factor.as_base_exp()
+    if base.is_Mul or base.is_Add or exponent not in (-2, -1, 1, 2):
+        return None
+    if factor.is_number or not letters_of(factor) <= _near(question):
+        return None
+    term = written(factor)
+    words = f"the factor {in_words(term)}"
+    line = f"{latex(question.left)} = {latex(n.Product((term, n.Group(question.right))))}"
+    return Outcome(FALSE, f"{words} is missing", question.rests_on, words, line)
+
+
 def _differentiates(question: Question) -> bool:
     sides = (question.left, question.right)
     return any(isinstance(x, n.Derivative) for side in sides for x in n.walked(side))
@@ -403,6 +426,12 @@ def multiple(question: Question) -> Outcome | None:
 
 def _ratio(question: Question) -> float | None:
     """The left side over the right one, where that is the same number in all worlds, but not 1."""
+    number = ratio(question)
+    return number if number is not None and abs(number - 1) > ROUNDED else None
+
+
+def ratio(question: Question) -> float | None:
+    """The left side over the right one, where that is the same number in all worlds."""
     both = [pair for pair in question.both if pair != (0, 0)]
     try:
         values = question.worlds.program.values([x for pair in both for x in pair]).values
@@ -414,9 +443,7 @@ def _ratio(question: Question) -> float | None:
         return None
     first = ratios.flat[0]
     alike = (abs(ratios - first) <= w.CLOSE * abs(first)).all() and not abs(first.imag) > w.CLOSE
-    return (
-        float(first.real) if alike and abs(first) > ROUNDED and abs(first - 1) > ROUNDED else None
-    )
+    return float(first.real) if alike and abs(first) > ROUNDED else None
 
 
 LARGEST_OF_A_FRACTION = 100

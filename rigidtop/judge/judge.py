@@ -102,10 +102,11 @@ class Judge:
         if context.bases and context.basis is None and has_components(statement):
             return self._in_some_axes(statement, situation, context)
         head, _ = named(statement.sides[0])
-        derived = self._with_derived(head, context, situation)
-        if derived is not context:
-            judgement = self._in_order(statement, situation, derived)
-            if judgement[0].verdict != UNDECIDED:
+        derived = [*self._with_derived(head, context, situation)]
+        for each in derived:
+            judgement = self._in_order(statement, situation, each)
+            # Whose momentum p is, is not said.
+            if judgement[0].passed or (len(derived) == 1 and judgement[0].verdict != UNDECIDED):
                 return judgement
         return self._with_components(statement, situation, context)
 
@@ -124,34 +125,28 @@ class Judge:
             judgements, key=lambda x: order.index(x[0].verdict) if x[0].verdict in order else 2
         )
 
-    def _with_derived(self, letter: Letter | None, context: Context, at: Situation) -> Context:
+    def _with_derived(
+        self, letter: Letter | None, context: Context, at: Situation
+    ) -> Iterator[Context]:
         """What p_θ or E stands for where there is a Lagrangian with θ, and nothing else says it."""
-        if letter is None or letter in context.definitions or letter.bold:
-            return context
-        place = next((q for q in context.habits.moving if q == Letter(letter.sub)), None)
         function = next((x for x in LAGRANGIANS if x in context.definitions), None)
-        if function is None:
-            return context
-        if letter.base == "p" and place is not None:
-            meant: Node = n.Derivative(function, (n.Rate(place, 1, True),))
-        elif letter in (Letter("E"), Letter("H")):
-            meant = self._energy(function, context)
-        else:
-            return context
-        try:
-            value = Meaning(context, self.memory).scalar(meant)
-        except UnclearError:
-            return context
-        if value == 0:
-            return context
-        return context.defining(letter, Definition(meant, at.number, at.scope))
+        if letter is None or letter in context.definitions or letter.bold or function is None:
+            return
+        with suppress(UnclearError):
+            for meant in self._meant_by(letter, function, context):
+                if Meaning(context, self.memory).scalar(meant) != 0:
+                    yield context.defining(letter, Definition(meant, at.number, at.scope))
 
-    def _energy(self, function: Letter, context: Context) -> Node:
-        """Σ q̇ ∂L/∂q̇ − L."""
+    def _meant_by(self, letter: Letter, function: Letter, context: Context) -> Iterator[Node]:
+        """Momenta, or the energy, of a Lagrangian that a letter usually means."""
         value = Meaning(context, self.memory).scalar(function)
         rates = [n.Rate(jet.letter, 1, True) for jet in coordinates(value)]
-        terms = [n.Product((v, n.Derivative(function, (v,)))) for v in rates]
-        return n.Sum((*terms, n.Negative(function)))
+        if letter.base == "p":
+            own = [v for v in rates if v.of == Letter(letter.sub)] if letter.sub else rates
+            yield from (n.Derivative(function, (v,)) for v in own)
+        elif letter in (Letter("E"), Letter("H")):
+            terms = [n.Product((v, n.Derivative(function, (v,)))) for v in rates]
+            yield n.Sum((*terms, n.Negative(function)))
 
     def _with_components(
         self, statement: Statement, situation: Situation, context: Context

@@ -125,8 +125,8 @@ def _solved(question: Question, letter: Letter) -> Node | None:
         return None
     [gap] = question.gaps
     slope = gap.diff(x)
-    if question.at.instant or slope.has(x) or slope == 0:
-        return None
+    if question.at.instant or slope.has(x) or slope == 0 or question.moves(slope):
+        return None  # in J θ̈ = … what is new is a constant
     if question.left == letter and slope == 1:
         return question.right
     if isinstance(question.left, n.Rate) or (gap.has(TIME) and question.moves(gap)):

@@ -19,7 +19,7 @@ from rigidtop.judge.worlds import Worlds
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 
-FREQUENCIES, PERIODS = frozenset("ωΩνnf"), frozenset("TτP")
+FREQUENCIES, PERIODS = frozenset("ωΩνκnfw"), frozenset("TτP")
 """Letters that a text takes for them where its words speak of an oscillation."""
 
 

@@ -13,7 +13,7 @@ from rigidtop.judge.jets import TIME, Jet, jet_of
 from rigidtop.judge.numbers import are_numbers
 from rigidtop.judge.outcome import PREMISE, Outcome
 from rigidtop.judge.question import Judgement, Question
-from rigidtop.judge.sides import is_setting, is_start
+from rigidtop.judge.sides import ZERO, is_setting, is_start, own_letters
 from rigidtop.tree.nodes import Letter
 
 
@@ -25,6 +25,8 @@ def setting(question: Question) -> Judgement | None:
     what = "at one instant" if question.at.instant else "a special case"
     outcome = Outcome(PREMISE, what, question.rests_on_meaning)
     set_here = question.constraint(SETTING)
+    if question.right == ZERO and isinstance(question.left, Letter) and not question.at.derived:
+        context = replace(context, results=context.results | {question.left})
     known = context.holding(set_here)
     if question.of(question.both, known).worlds.count:
         return outcome, known
@@ -80,10 +82,12 @@ def _may_be_set(question: Question) -> bool:
 
 
 def _is_value(question: Question) -> bool:
-    """Whether a letter that stands for nothing is given a number, perhaps with a unit."""
-    left = question.left
-    new = isinstance(left, Letter) and left not in question.context.definitions
-    return new and question.at.inline and all(are_numbers(x, x) for _, x in question.both)
+    """Whether a letter that may have any value is given a number, perhaps with a unit."""
+    left, known = question.left, question.context.definitions
+    free = isinstance(left, Letter) and (
+        left not in known or bool(own_letters(known[left].node) - known.keys())
+    )
+    return free and question.at.inline and all(are_numbers(x, x) for _, x in question.both)
 
 
 def chosen(question: Question) -> Judgement | None:

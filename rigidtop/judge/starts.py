@@ -1,4 +1,4 @@
-"""Starts that a text tells in words alone."""
+"""What a text tells in words alone: a start from rest, an energy that is conserved."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ START = "start"
 COORDINATES = frozenset("xyzrsqhuldℓηξζθφψαβγδχρσ")
 _SPEEDS = frozenset("vω")
 """What these letters stand for where something has a rate: places and angles, and how fast."""
+ENERGIES = (Letter("E"), Letter("ℰ"))
 _EULER = frozenset({Letter("φ"), Letter("θ"), Letter("ψ")})
 
 
@@ -29,6 +30,15 @@ def at_rest(context: Context, number: int, scope: tuple[int, ...]) -> Context:
         start = Constraint(still, Number("0"), number, SETTING, scope, START)
         context = context.holding(start)
     return replace(context, instants={START: Number("0"), **context.instants})
+
+
+def with_energy(context: Context, number: int, scope: tuple[int, ...]) -> Context:
+    """What is known where energy is conserved."""
+    for letter in ENERGIES:
+        if letter in context.definitions:
+            kept = Constraint(Rate(letter, 1, True), Number("0"), number, SETTING, scope)
+            return context.holding(kept)
+    return context
 
 
 def _still(letter: Letter) -> Node | None:

@@ -19,7 +19,7 @@ from rigidtop.judge.meaning import is_component
 from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.starts import COORDINATES, START, at_rest
+from rigidtop.judge.starts import COORDINATES, START, at_rest, with_energy
 from rigidtop.read.cues import Cue, ends_moment
 from rigidtop.read.declared import declared
 from rigidtop.read.macros import Macro, Macros, customary, defined
@@ -172,12 +172,16 @@ def _step(
     if isinstance(each, Unread):
         return row(Outcome(UNREAD, each.reason)), context
     if not each.relations:
+        if Cue.DIVISOR in passage.cues:
+            return None, replace(context, not_zero=(*context.not_zero, *each.sides))
         if Cue.CONSTANT not in passage.cues:
             return None, context
         each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
     context = context.within(passage.scope, passage.sentence)
     if Cue.REST in passage.cues:
         context = at_rest(context, asked.number, passage.scope)
+    if Cue.CONSERVED in passage.cues:
+        context = with_energy(context, asked.number, passage.scope)
     each, time_of_it = at_one_time(each, read.habits.moving)
     if time_of_it is not None:
         moment = instant_at(time_of_it)
@@ -381,10 +385,11 @@ def instants(read: Read) -> list[str]:
     made: list[str] = []
     sentence, now = -1, ""
     for passage, each in read:
+        begun = passage.display and Cue.REST in passage.cues
+        over = passage.sentence == sentence and ends_moment(passage.before)
         if passage.sentence != sentence:
             sentence, now = passage.sentence, ""
-        begun = passage.display and Cue.REST in passage.cues
-        if Cue.GENERAL in passage.cues or ends_moment(passage.before) or begun:
+        if Cue.GENERAL in passage.cues or begun or over:
             now = ""
         elif Cue.MOMENT in passage.cues:
             said = _STARTS.search(f"{passage.before} § {passage.behind}")

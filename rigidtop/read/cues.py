@@ -46,6 +46,10 @@ class Cue(Enum):
     """It says where a letter counts from: "§ is the lowest position"."""
     ANEW = auto()
     """It is what something is after a change: "the new energy is"."""
+    DIVISOR = auto()
+    """Something is divided by it."""
+    CONSERVED = auto()
+    """Since the statement before it is said that energy is conserved."""
     OSCILLATION = auto()
     """It says how fast something oscillates: "the period is"."""
     EQUILIBRIUM = auto()
@@ -90,10 +94,10 @@ _SMALL = (
     r"|environ|presque|néglig)"
 )
 _LARGE = (
-    r"(?:large(?:st)? §|§ (?:is )?(?:very )?large|fast (?:\w+ )?(?:top|spin|wheel|gyroscope"
+    r"(?:large(?:st)? §|§ (?:is )?(?:very )?large\b|fast (?:\w+ )?(?:top|spin|wheel|gyroscope"
     r"|rotation)"
-    r"|rapidly|(?:very|is) (?:large|fast)|(?:schnelle[rns]?) (?:\w+ )?(?:Kreisel|Rotation)|gro(?:ß"
-    r"|ss)es? §"
+    r"|rapidly|(?:very|is) (?:large|fast)\b|(?:schnelle[rns]?) (?:\w+ )?(?:Kreisel|Rotation)"
+    r"|gro(?:ß|ss)es? §"
     r"|toupie rapide|grande?s? (?:§|vitesses?))"
 )
 
@@ -167,6 +171,10 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"|montre[rz]"
         r"|démontre[rz]|est-ce)(?: that|,? dass| que)?[^.]{0,60}",
     ),
+    Cue.DIVISOR: (
+        r"\b(?:divid(?:e|es|ed|ing)|teil(?:en|t)|dividier(?:en|t)|divis(?:e|ons|ant))"
+        r"(?: [\w'-]+){0,3} (?:by|durch|par)",
+    ),
     Cue.ORIGIN: (
         rf"\b{_POSITION} (?:{_BEING}|has|hat|a|corresponds to|entspricht|correspond à)"
         r"(?: (?:at|bei|en|à))?",
@@ -208,8 +216,8 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"\b(?:hence|so(?! far)|therefore|thus|then|it follows|gives?|(?:we|I|one) (?:gets?|sees?"
         r"|finds?|obtains?|have|has)"
         r"|becomes?|consequently|yields?|leads? to|that is|from (?:this|these|which|it)|implies"
-        r"|daher|daraus|folgt|somit|ergibt|dann|liefert|(?:man|wir) (?:erh[aä]lt(?:en)?"
-        r"|bekommt?)|d['’]où|donc|ainsi|alors|donne"
+        r"|daher|daraus|das ist|das heißt|folgt|somit|ergibt|dann|liefert"
+        r"|(?:man|wir) (?:erh[aä]lt(?:en)?|bekommt?)|d['’]où|donc|ainsi|alors|donne|c['’]est-à-dire"
         r"|on (?:obtient|trouve|en déduit))\b|, also\b",
     ),
 }
@@ -382,6 +390,19 @@ def passed_on(
     if display != follower or clause or not before.strip():
         return heard - _PREMISES
     return heard - {Cue.CONSTANT} | ({Cue.CASE} if Cue.CONDITION in heard else set())
+
+
+_KEPT = re.compile(
+    r"\b(?:energy (?:is|stays|remains) (?:conserved|constant|the same)|conservation of energy"
+    r"|Energie (?:ist|bleibt) (?:erhalten|konstant|gleich)|Energieerhaltung|Erhaltung der Energie"
+    r"|énergie (?:se conserve|est (?:conservée|constante))|conservation de l'énergie)\b",
+    re.I,
+)
+
+
+def keeps_energy(words: str) -> bool:
+    """Whether words say that energy is conserved."""
+    return _KEPT.search(words) is not None
 
 
 def ends_moment(before: str) -> bool:

@@ -18,6 +18,7 @@ from rigidtop.read.cues import (
     cues,
     ends_moment,
     enumerates,
+    keeps_energy,
     passed_on,
     unequal,
 )
@@ -61,12 +62,19 @@ def passages(source: str, plain: bool = False) -> tuple[Passage, ...]:
         )
         for number, formula in enumerate(prose.formulas)
     ]
-    resting = (begins_at_rest(prose.since(number)) for number in range(len(made)))
     cued = _approximated(_together([*_cued([_completed(passage) for passage in made])]))
     return tuple(
-        replace(passage, cues=passage.cues | {Cue.REST}) if rests else passage
-        for passage, rests in zip(cued, resting, strict=True)
+        replace(passage, cues=passage.cues | {*_said(prose.since(number))})
+        for number, passage in enumerate(cued)
     )
+
+
+def _said(words: str) -> Iterator[Cue]:
+    """What words say of all that follows."""
+    if begins_at_rest(words):
+        yield Cue.REST
+    if keeps_energy(words):
+        yield Cue.CONSERVED
 
 
 def _completed(passage: Passage) -> Passage:

@@ -1,9 +1,10 @@
 r"""The scopes of a text: headings, exercises, titles of paragraphs, items, theorems and their like.
 
-A place has a path of numbers, from its heading inwards; what is set in a scope ends with it.
+A place has a path of numbers, from its heading inwards, those of items below zero; what is set in
+a scope ends with it.
 
 >>> [mark.path for mark in scopes("# Springs\n\nA mass.\n\n1. Free.\n2. With friction.\n\nBoth.")]
-[(1,), (1, 2), (1, 3), (1,)]
+[(1,), (1, -2), (1, -3), (1,)]
 """
 
 from __future__ import annotations
@@ -209,7 +210,7 @@ class _Outline:
 
     @property
     def path(self) -> tuple[int, ...]:
-        return tuple(scope.number for scope in self.open)
+        return tuple(-scope.number if scope.level >= ENTRY else scope.number for scope in self.open)
 
     def enter(self, level: int) -> None:
         """Begin a scope; it ends those that are no further out, up to an environment."""

@@ -55,7 +55,7 @@ TEXTS = r"""
 
 # a momentum put into L
 . L = \frac12 m(\dot r^2 + r^2\dot\phi^2) + \frac kr
-. p = mr^2\dot\phi
++ p = mr^2\dot\phi
 + L = \frac12 m\dot r^2 + \frac{p^2}{2mr^2} + \frac kr
 - L = \frac12 m\dot r^2 - \frac{p^2}{2mr^2} + \frac kr
 + m\ddot r = \frac{p^2}{mr^3} - \frac k{r^2}
@@ -395,6 +395,44 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 ~ \sin x\approx x - \frac{x^3}6
 - \sin x\approx x + \frac{x^3}6
 ~ \cos x\approx 1
+
+# items of a list that go together
+> - translation: $mv = P$
+> - rotation: $J\omega = Ph$ with $J = \frac25mR^2$
+>
++ \omega = \frac{5vh}{2R^2}
+- \omega = \frac{5vh}{2R}
+
+# numbers that come of a relation
+. a = 8
+. g = 9.81
+. \tan\alpha = \frac ag
++ \tan\alpha = 0.815
+- \alpha = 50.8^\circ
+
+# a momentum of which it is not said whose it is
+. L = \frac m2(\dot r^2 + r^2\dot\phi^2\sin^2\alpha)
++ p = mr^2\dot\phi\sin^2\alpha
++ \ddot r = \frac{p^2}{m^2r^3\sin^2\alpha}
+- \ddot r = \frac{p^2}{m^2r^3}
+
+# what is divided by
+. P\left(\frac1R - \frac1r\right) = \frac12Q(r^2 - R^2)
+> Divide by $r - R$:
++ r^2 + Rr - \frac{2P}{QR} = 0
+- r^2 + Rr - \frac P{QR} = 0
+
+# energy that is conserved by what is said
+. E = \frac12\left(m + \frac J{r^2}\right)\dot s^2 - mgs
+> Energy is conserved, so
++ \ddot s = \frac{mgr^2}{J + mr^2}
+- \ddot s = \frac{mgr}{J + mr^2}
+
+# masses that are brought one after the other
+. J_1\ddot a_1 = -c(a_1 - a_2)
+. J_2\ddot a_2 = c(a_1 - a_2)
++ J_1\dot a_1 + J_2\dot a_2 = \mathrm{const}
+- J_1\dot a_1 - J_2\dot a_2 = \mathrm{const}
 """
 """A line that begins with "." is taken as it stands, one with "+" follows, and one with "~" nearly.
 
