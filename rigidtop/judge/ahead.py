@@ -45,7 +45,8 @@ def _place(each: Placed, sentence: Sequence[Placed], known: Collection[Letter]) 
     """Before which statement of its sentence one has to stand: the last place if none needs it."""
     name = _explained(each, sentence)
     places = [k for k, other in enumerate(sentence) if name in _letters(other)]
-    if name is None or name in known or not places or _named(sentence[places[0]]) == name:
+    # What several statements speak of may come out of them.
+    if name is None or name in known or len(places) != 1 or _named(sentence[places[0]]) == name:
         return len(sentence)
     return places[0]
 

@@ -122,6 +122,8 @@ class Context:
     """Equations of motion that have been said."""
     little: tuple[frozenset[Letter], ...] = ()
     """Letters that are said to be much smaller than others, together at a time."""
+    said: Node | None = None
+    """The left side of the statement before."""
     head: Node | None = None
     """The letter, or else the side, with which the chain begins that is being read."""
 

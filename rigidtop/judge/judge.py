@@ -89,12 +89,13 @@ class Judge:
         if situation.balanced:
             situation = replace(situation, instant="")
         there = places.placed(statement, situation, context)
-        if there is None or usual[0].passed is not None:
+        if there is None or usual[0].passed:
             return usual
+        statement = places.with_rates(statement, context)
         outcome, after = self._in_context(statement, situation, there)
         if outcome.passed:
             return outcome, usual[1]
-        return (outcome, after) if outcome.slip else usual
+        return (outcome, after) if outcome.slip and usual[0].passed is None else usual
 
     def _in_context(
         self, statement: Statement, situation: Situation, context: Context
@@ -189,7 +190,8 @@ class Judge:
         except (UnclearError, UnknownFunctionError) as why:
             return Outcome(UNDECIDED, str(why)), before.knowing(letters_in(statement))
         wrong, context = self._braced(statement, situation, context)
-        return joint([*outcomes, *wrong]), context.knowing(letters_in(statement))
+        context = replace(context.knowing(letters_in(statement)), said=statement.sides[0])
+        return joint([*outcomes, *wrong]), context
 
     def _braced(
         self, statement: Statement, situation: Situation, context: Context

@@ -240,11 +240,11 @@ def _tied(question: Question) -> list[Symbol]:
     Two such relations are solved together.
     """
     letter, context = question.left, question.context
-    free = isinstance(letter, Letter) and letter not in context.definitions.keys() | context.given
-    if not free or letter in question.moving or letter in own_letters(question.right):
+    known = context.definitions.keys() | context.given | question.moving
+    if not isinstance(letter, Letter) or letter in known | own_letters(question.right):
         return []
     bound = {x for each in question.pool for x in each.expression.free_symbols}
-    return [x for x in [alone(letter)] if x not in bound]  # type: ignore[arg-type]
+    return [x for x in question.worlds.letters if x == alone(letter) and x not in bound]
 
 
 def _free_on_the_left(question: Question) -> list[Symbol]:

@@ -7,13 +7,13 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 
-from sympy import Expr, pi
+from sympy import Expr, pi, sqrt
 
 from rigidtop.judge.context import LAW
-from rigidtop.judge.faults import slip
+from rigidtop.judge.faults import multiple, slip
 from rigidtop.judge.jets import jets, symbol
 from rigidtop.judge.meaning import UnclearError
-from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED
+from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.worlds import Worlds
 from rigidtop.tree import nodes as n
@@ -47,10 +47,17 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
         if not wide.worlds.holds(others):
             return judgement  # it may be that of another one
         wrong = slip(wide, partial(_agrees, question, square))
-        if wrong is not None:
-            rests_on = wide.rests_on | grounds
-            return replace(wrong.outcome, rests_on=rests_on), context
+        told = wrong.outcome if wrong is not None else _multiple(question, square)
+        if told is not None:
+            return replace(told, rests_on=wide.rests_on | grounds), context
     return judgement
+
+
+def _multiple(question: Question, square: Expr) -> Outcome | None:
+    """What is wrong with a right side that is a simple multiple of what it should be."""
+    wanted = _wanted(question, square)[0]
+    value = wanted if isinstance(question.left, n.Power) else sqrt(wanted)
+    return multiple(question.of([(value, right) for _, right in question.both]))
 
 
 def _squares(question: Question) -> list[tuple[frozenset[int], Expr]]:
@@ -92,12 +99,16 @@ def _agrees(question: Question, square: Expr, both: Sequence[Pair], worlds: Worl
     left, right = both[0]
     if left != question.both[0][0]:
         return False
+    value = right if isinstance(question.left, n.Power) else right**2
+    return any(worlds.holds([(value, x)]) for x in _wanted(question, square))
+
+
+def _wanted(question: Question, square: Expr) -> list[Expr]:
+    """What the square of a frequency, or of a period, may be."""
     name = _named(question.left)
     assert name is not None
-    value = right if isinstance(question.left, n.Power) else right**2
     wanted = [4 * pi**2 / square] if name.base in PERIODS else [square]
-    wanted += [square / (4 * pi**2)] if name.base in "fν" else []
-    return any(worlds.holds([(value, x)]) for x in wanted)
+    return wanted + ([square / (4 * pi**2)] if name.base in "fν" else [])
 
 
 def _named(side: Node) -> Letter | None:

@@ -13,7 +13,8 @@ from rigidtop.judge.jets import TIME, Jet, jet_of
 from rigidtop.judge.numbers import are_numbers
 from rigidtop.judge.outcome import PREMISE, Outcome
 from rigidtop.judge.question import Judgement, Question
-from rigidtop.judge.sides import ZERO, is_setting, is_start, own_letters
+from rigidtop.judge.sides import is_setting, is_start, own_letters
+from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter
 
 
@@ -25,7 +26,8 @@ def setting(question: Question) -> Judgement | None:
     what = "at one instant" if question.at.instant else "a special case"
     outcome = Outcome(PREMISE, what, question.rests_on_meaning)
     set_here = question.constraint(SETTING)
-    if question.right == ZERO and isinstance(question.left, Letter) and not question.at.derived:
+    given = not n.letters(question.right) and not question.at.derived
+    if given and isinstance(question.left, Letter):  # it may be as small as it is said to be
         context = replace(context, results=context.results | {question.left})
     known = context.holding(set_here)
     if question.of(question.both, known).worlds.count:

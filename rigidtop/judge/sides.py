@@ -19,6 +19,7 @@ NEARLY = ("≈", "∼")
 CONDITIONS = ("≠", "<", ">", "≤", "≥", "≪", "≫")
 
 ZERO = n.Number("0")
+TIME = Letter("t")
 
 # --- Letters -------------------------------------------------------------------------------------
 
@@ -57,7 +58,9 @@ def entries(value: Value) -> list[Expr]:
 
 
 def moving_in(statement: Statement) -> frozenset[Letter]:
-    """The letters whose rates stand in a statement, if it says more than what a rate is."""
+    """The letters of which a statement says how they move, if it says more than what a rate is."""
+    if isinstance(statement.sides[0], Letter) and TIME in n.letters(statement.sides[-1]):
+        return frozenset(statement.sides[:1])  # type: ignore[arg-type]
     if is_setting(statement.sides[0], statement.sides[-1], ()):
         return frozenset()
     rates = (x for side in statement.sides for x in n.walked(side) if isinstance(x, n.Rate))

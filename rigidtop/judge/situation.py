@@ -15,8 +15,8 @@ class Situation:
     follow; `instant`: it is said of one moment; `small` and `large`: for what it is nearly true;
     `declared` are letters that words introduce, and `asked` says that it is not asserted.
     `origin`: it says where a letter counts from.
-    `oscillates`, `begins`, `balanced`: words speak of an oscillation, of a start from rest, of an
-    equilibrium.
+    `oscillates`, `begins`, `balanced`, `circular`: words speak of an oscillation, of a start from
+    rest, of an equilibrium, of a circle. `vanishes`: what was said before is zero there.
     `anew`: it is what a letter stands for after a change.
     `inline`: it stands in a line of words, and `opens`: nothing stands above it in its scope.
     `closed`: all that is needed has been said, so that what does not hold is false.
@@ -38,6 +38,8 @@ class Situation:
     oscillates: bool = False
     begins: bool = False
     balanced: bool = False
+    circular: bool = False
+    vanishes: bool = False
     inline: bool = False
     closed: bool = False
     opens: bool = False

@@ -18,6 +18,7 @@ from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS, conjugates
 from rigidtop.judge.meaning import is_component
 from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
+from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import COORDINATES, START, at_rest, with_energy
 from rigidtop.read.cues import Cue, ends_moment
@@ -129,14 +130,15 @@ def reading(source: str, macros: Macros | None = None, until: float = inf) -> Re
     """What a text asks."""
     read, place = read_text(source, macros, until)
     cases = cases_of(read)
+    habits = habits_of([each for _, each in read if isinstance(each, Statement)])
+    moments = instants(read, habits.moving)
     asked = (
         Asked(
             place(passage.start + each.position)[0],
             *(each, passage, number, moment, passage.start in cases),
         )
-        for number, ((passage, each), moment) in enumerate(zip(read, instants(read), strict=True))
+        for number, ((passage, each), moment) in enumerate(zip(read, moments, strict=True))
     )
-    habits = habits_of([each for _, each in read if isinstance(each, Statement)])
     return Reading(tuple(explained_first(asked)), habits, declared_letters(source))
 
 
@@ -346,6 +348,8 @@ def situation(
         oscillates=Cue.OSCILLATION in cues,
         begins=Cue.REST in cues,
         balanced=Cue.EQUILIBRIUM in cues,
+        circular=Cue.CIRCLE in cues,
+        vanishes=Cue.VANISHING in cues,
         inline=not passage.display,
         opens=opens,
         declared=names,
@@ -380,12 +384,14 @@ _STARTS = re.compile(
 )
 
 
-def instants(read: Read) -> list[str]:
+def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
     """The instant of which each statement speaks; "" for all times."""
     made: list[str] = []
-    sentence, now = -1, ""
+    seen: set[Letter] = {Letter("t"), *moving}
+    sentence, now, resting = -1, "", -1
     for passage, each in read:
-        begun = passage.display and Cue.REST in passage.cues
+        resting = passage.sentence if Cue.REST in passage.cues else resting
+        begun = passage.display and resting == passage.sentence
         over = passage.sentence == sentence and ends_moment(passage.before)
         if passage.sentence != sentence:
             sentence, now = passage.sentence, ""
@@ -400,8 +406,17 @@ def instants(read: Read) -> list[str]:
             now = START if zero else now
         starts = isinstance(each, Statement) and _is_start(each)
         now = START if starts and now else now
-        made.append(START if starts else now)
+        named = not passage.display and _introduces(each, seen)
+        made.append(START if starts else "" if named else now)
+        seen |= letters_in(each) if isinstance(each, Statement) else set()
     return made
+
+
+def _introduces(each: Statement | Unread, seen: Collection[Letter]) -> bool:
+    """Whether it says what a letter is of which nothing has been said: "at the height h = 2 m"."""
+    if not isinstance(each, Statement) or each.relations != ("=",):
+        return False
+    return isinstance(each.sides[0], Letter) and each.sides[0] not in seen
 
 
 def is_time(statement: Statement) -> bool:

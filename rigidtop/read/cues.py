@@ -50,6 +50,10 @@ class Cue(Enum):
     """Something is divided by it."""
     CONSERVED = auto()
     """Since the statement before it is said that energy is conserved."""
+    VANISHING = auto()
+    """What was spoken of before vanishes there: "it is zero for"."""
+    CIRCLE = auto()
+    """It holds on a circle."""
     OSCILLATION = auto()
     """It says how fast something oscillates: "the period is"."""
     EQUILIBRIUM = auto()
@@ -78,7 +82,7 @@ _QUANTITY = (
 _PLACE = (
     r"(?:start|beginning|top|bottom|end|edge|(?:turning|lowest|highest|foremost|nearest) point"
     r"|point (?:next|nearest|closest|furthest|farthest)[^,;:§]{0,30}|(?:same |first |last )?moment"
-    r"|instant|(?:peri|ap)helion|maximum|minimum)"
+    r"|instant|(?:peri|ap)helion|maximum|minimum|middle|cent(?:re|er)|wall|surface|axis|rim)"
 )
 _SMALL = (
     r"(?:small(?:ness of)? (?:§|angles?|oscillations?|vibrations?|displacements?|deviations?"
@@ -124,7 +128,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"(?:^|[.;¶] ?)(?:the )?(?:lowest|highest|foremost|nearest) point\b[^§]*",
         r"\bat the (?:time|moment|instant) §[^§]*",
         r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
-        r"\b(?:initially|at first|(?<!hangs )(?<!is )(?<!are )(?<!lies )at rest)\b[^§]*",
+        r"\b(?:initially|at first|(?<!hangs )(?<!is )(?<!are )(?<!lies )at rest)\b[^§,]*",
         r"\b(?:am (?:Anfang|Ende|Boden)|[ai]m (?:Umkehrpunkt|Scheitel|tiefsten Punkt|höchsten Punkt"
         r"|Moment)|oben|unten|zur Zeit|zum Zeitpunkt|anfangs|zu Beginn)\b[^§]*",
         r"\b(?:à l'instant|au (?:début|départ|sommet|point le plus (?:haut|bas))|initialement"
@@ -201,6 +205,12 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"\b(?:equilibri(?:um|a)|(?:can|could) (?:stay|rest|remain)|(?:stays|rests|remains) at"
         r"|Gleichgewicht\w*|Ruhelagen?|équilibre)\b",
     ),
+    Cue.VANISHING: (
+        r"\b(?:it|this|that|they|sie|er|es|dies|elle|il|cela) (?:vanish(?:es)?|(?:is|becomes) zero"
+        r"|verschwindet|(?:ist|wird) null|s'annule)"
+        r" (?:at|for|if|when|where|bei|für|wenn|pour|quand)\b",
+    ),
+    Cue.CIRCLE: (r"\b(?:on an? (?:\w+ )?circle|circular|Kreisbahn\w*|circulaire)\b",),
     Cue.OSCILLATION: (
         r"\b(?:\w*(?:frequen[cz]|fréquen|pulsation|oscill|vibrat|swing|schwing|librat|hunting|rolling)"
         r"|periods?\b|Perioden?\b|périodes?\b)",
@@ -242,8 +252,9 @@ BEHIND: dict[Cue, tuple[str, ...]] = {
         rf"{_AND}(?:{_BEING} )?(?:very |sehr |très )?(?:large|groß|gross|grande?s?)\b",
     ),
     Cue.ORIGIN: (
-        rf",? ?\(?(?:(?:{_BEING}|when|where|if|wenn|wo|si|means|heißt|corresponds to|entspricht"
-        rf"|correspond à|denotes|marks) )?(?:(?:it|he|she|er|sie|es|elle|il) )?(?:hangs )?"
+        rf",? ?\(?(?:(?:{_BEING}|for|as|als|comme|when|where|if|wenn|wo|si|means|heißt"
+        rf"|corresponds to|entspricht|correspond à|denotes|marks) )?"
+        rf"(?:(?:it|he|she|er|sie|es|elle|il) )?(?:hangs )?"
         rf"(?:(?:at|in|bei|im|à|au|en) )?(?:{_THE} ?)?(?:{_POSITION}\b|{_POINTING})",
     ),
     Cue.MOMENT: (rf",? ?(?:at|in|near) the {_PLACE}\b|,? ?(?:initially|am Anfang|au début)\b",),
@@ -383,7 +394,7 @@ def passed_on(
     the one and the other stand on a line of their own.
     """
     moment = heard & {Cue.MOMENT} if not _CONCLUSION.search(before) else frozenset()
-    moment |= heard & {Cue.EQUILIBRIUM, Cue.OSCILLATION}
+    moment |= heard & {Cue.EQUILIBRIUM, Cue.OSCILLATION, Cue.CIRCLE}
     if not enumerates(before):
         return moment
     clause = _CLAUSE.fullmatch(before) and _INLINE[Cue.CASE].search(opening)

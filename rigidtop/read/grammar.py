@@ -474,6 +474,8 @@ class Grammar:
     def goes_on(self, last: Node) -> bool:
         """Whether the argument of a function takes the next factor too: cos ωt, but sin θ cos θ."""
         token = self.peek()
+        if token.text == "(" and not token.spaced and not letters(last):
+            return isinstance(last, (Number, Quotient))  # sin 2(α + β)
         if token.spaced or token.kind not in ("letter", "number", "group") or not self.starts():
             return False
         if token.text == "d" and self.is_differential():

@@ -433,6 +433,35 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 . J_2\ddot a_2 = c(a_1 - a_2)
 + J_1\dot a_1 + J_2\dot a_2 = \mathrm{const}
 - J_1\dot a_1 - J_2\dot a_2 = \mathrm{const}
+
+# where what was said vanishes
+. V = \epsilon\left(\left(\frac sr\right)^{12} - \left(\frac sr\right)^6\right)
++ \frac{dV}{dr} = -\frac{6\epsilon}r\left(2\left(\frac sr\right)^{12} - \left(\frac sr\right)^6\right)
+> It vanishes at
++ r_0 = 2^{1/6}s
+- r_0 = 2^{1/3}s
+
+# a circle
+. L = \frac12(m + M)\dot r^2 + \frac12mr^2\dot\phi^2 - Mgr
+. \dot\phi = w
+> On a circle of radius $r_0$ we have
++ mr_0w^2 = Mg
+- mr_0w^2 = 2Mg
+
+# two numbers of a period exchanged
+. \ddot\phi = -\frac{5g}{7a}\phi
+> A swing has the period
++ \tau = 2\pi\sqrt{\frac{7a}{5g}}
+- \tau = 2\pi\sqrt{\frac{5a}{7g}}
+
+# the largest rate
+. J\ddot\phi = -\mu B\sin\phi
+> It is released at $\phi_0$:
++ \dot\phi^2 = \frac{2\mu B}J(\cos\phi - \cos\phi_0)
+> At $\phi = 0$ it is
++ \dot\phi_m^2 = \frac{2\mu B}J(1 - \cos\phi_0)
+- \dot\phi_m^2 = \frac{\mu B}J(1 - \cos\phi_0)
+
 """
 """A line that begins with "." is taken as it stands, one with "+" follows, and one with "~" nearly.
 
