@@ -257,7 +257,7 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
     own = declared((f"{name}.md", text) for name, text in _sources(folder, names))
     notation = _notation(folder, own.symbols)
     letters = letters_of(notation)
-    letters = replace(letters, numbers=letters.numbers | own.numbers)
+    letters = replace(letters, numbers=letters.numbers - {*own.symbols} | own.numbers)
     read = partial(_lecture, folder, names, notation, letters)
     texts = {text.name: text for text in read(()).texts} if written else {}
     pages = by_hand or tuple(page_of(number, title, texts[name]) for number, title, name in written)
@@ -352,7 +352,11 @@ def _notation(folder: Path, declared: Sequence[Lettered]) -> Notation:
     name = module_name(folder)
     modules = [vars(m) for known, m in sys.modules.items() if f"{known}.".startswith(f"{name}.")]
     values = [value for names in modules for value in names.values()]
-    used = {value for value in values if isinstance(value, Symbol)} | {symbols.const, *declared}
+    used = {value for value in values if isinstance(value, Symbol)} | {
+        symbols.const,
+        symbols.t,
+        *declared,
+    }
     if any(value is symbols for value in values):  # from rigidtop.theory import symbols
         used |= {*NOTATION.glyphs}
     own = sorted((x for x in used if isinstance(x, Lettered)), key=lambda x: (x.place, x.name))

@@ -40,6 +40,8 @@ KINDS = {
     "positive": "a number that is positive",
     "number": "a number of any sign, or a vector that does not change",
     "coordinate": "a coordinate, whose rates have letters too",
+    "positive coordinate": "a coordinate that is positive, such as a distance",
+    "positive variable": "what depends on the motion and is positive",
     "vector": "a vector that moves",
     "variable": "anything else that depends on the motion",
 }
@@ -117,7 +119,8 @@ def table_of(symbols: Sequence[Lettered]) -> str:
         if glyph.accent in ("dot", "ddot"):
             continue
         kind = "positive" if symbol.is_positive else "vector" if glyph.bold else ""
-        kind = "coordinate" if not kind and replace(glyph, accent="dot") in glyphs else kind
+        if not glyph.bold and replace(glyph, accent="dot") in glyphs:
+            kind = f"{kind} coordinate".strip()
         lines.append(f"| ${letter(glyph)}$ | {quantity.meaning} | {quantity.unit} | {kind} |")
     head = ("| letter | meaning | unit | kind |", "| --- | --- | --- | --- |")
     return "\n".join((*head, *lines))
@@ -172,10 +175,10 @@ def _row(row: Row) -> Iterator[tuple[Lettered, str]]:
         glyph = _glyph(latex.strip())
         if glyph.bold != (kind == "vector") and not (glyph.bold and kind == "number"):
             raise RigidtopError(f"{latex.strip()}: a vector is bold, and what is bold is a vector")
-        make = positive if kind == "positive" else real
+        make = positive if kind.startswith("positive") else real
         unit = "" if unit == "–" else unit
         yield make(_name(glyph), glyph, _in_words(meaning), unit), kind
-        if kind in ("coordinate", "vector") and unit:
+        if kind.endswith(("coordinate", "vector")) and unit:
             said = _in_words(meaning)
             for accent, words in (("dot", "rate of"), ("ddot", "second rate of")):
                 unit = _per_second(unit)
@@ -187,11 +190,11 @@ def _per_second(unit: str) -> str:
     """The unit of a rate."""
     if unit == "1":
         return "1/s"
-    powers = {"/s": "/s²"}
-    for end, longer in powers.items():
+    for end, longer in (("/s", "/s²"), ("/s²", "/s³")):
         if unit.endswith(end):
             return unit.removesuffix(end) + longer
-    return f"{unit}/s"
+    over, slash, under = unit.partition("/")
+    return f"{over}/({under.strip('()')} s)" if slash else f"{unit}/s"
 
 
 def _glyph(latex: str) -> Glyph:

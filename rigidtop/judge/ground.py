@@ -207,7 +207,9 @@ class Ground:
                 each.by == (Letter("t"),) and not each.partial
             ):
                 of = n.ungrouped(each.of)
-                if isinstance(of, Letter) and of not in definitions and not self.whole:
+                along = not each.partial and {of, *each.by} <= self.habits.moving
+                known = along or of in definitions or self.whole
+                if isinstance(of, Letter) and not known:
                     return slope(each)
             if isinstance(each, n.Transposed) and isinstance(each.of, n.Tuple):
                 return each.of

@@ -191,7 +191,9 @@ def _sides(sides: Sequence[Any]) -> list[Any]:
 
 
 _CARRIES: Mapping[Any, int] = {
-    **dict.fromkeys((eq.Group, eq.Underbrace, eq.Rate, eq.Transposed, eq.Partial, Pow), 0),
+    **dict.fromkeys(
+        (eq.Group, eq.Underbrace, eq.Rate, eq.Slope, eq.Transposed, eq.Partial, Pow), 0
+    ),
     **dict.fromkeys((eq.SumOver, eq.VolumeIntegral), 1),
     eq.IntegralOver: 3,
     eq.Matrices: -1,
@@ -440,10 +442,12 @@ _ELLIPTIC = {"K": sympy.elliptic_k, "F": sympy.elliptic_f}
 
 
 def _derivative(meaning: _Meaning, node: n.Derivative) -> Any:
-    if len(node.by) != 1 or not node.partial:
-        raise UnknownError("a derivative is by the time, or a partial one of a scalar by a letter")
+    by, *more = (meaning.of(x) for x in node.by)
     of = _differentiated(meaning, node.of)
-    by = meaning.of(node.by[0])
+    if not node.partial and kind(by) == "scalar" and {*more} <= {by}:
+        return reduce(eq.Slope, (by, *more), of)
+    if more or not node.partial:
+        raise UnknownError("a derivative is by one letter, a partial one once and of a scalar")
     if not isinstance(by, Symbol) or kind(of) != "scalar" or kind(by) != "scalar":
         raise UnknownError("a derivative is by the time, or a partial one of a scalar by a letter")
     return eq.Partial(of, by)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from sympy import Expr, MatrixBase, Symbol
 
 from rigidtop.proof import quadrature
@@ -17,6 +19,7 @@ from rigidtop.proof.moves.move import (
     RefusedError,
     Scope,
     name_of,
+    the_factor,
     the_one,
 )
 from rigidtop.proof.moves.pairs import all_pairs, equal_pairs
@@ -127,6 +130,18 @@ def rate(move: Move, algebra: Algebra) -> Performed:
     return Performed(tuple(pairs), known.scope)
 
 
+def along(move: Move, algebra: Algebra) -> Performed:
+    """By a letter that changes along the motion: du/dφ = u̇/φ̇."""
+    known, by = the_one(move), algebra.value(the_factor(move))
+    if known.scope is Scope.SET:
+        raise RefusedError("{} holds at a moment: its derivative does not follow", name_of(known))
+    pairs = [
+        Pair(algebra.slope(pair.left, by), algebra.slope(pair.right, by))
+        for pair in equal_pairs(known, algebra)
+    ]
+    return Performed(tuple(pairs), known.scope, divided_by(algebra.rate(by), move.where))
+
+
 def integrate(move: Move, algebra: Algebra) -> Performed:
     """Over time: what has no rate is constant.  A line that says more is tried by its rate."""
     for known in move.of:
@@ -137,6 +152,13 @@ def integrate(move: Move, algebra: Algebra) -> Performed:
     starts = tuple(Condition(e.sides[0] - e.sides[1], "start") for e in move.by)
     pairs = tuple(pair for known in move.of for pair in equal_pairs(known, algebra))
     return Performed(pairs, Scope.MOTION, starts)
+
+
+def integrate_over(move: Move, algebra: Algebra) -> Performed:
+    """Over a letter, from where it is 0."""
+    by, *starts = move.by
+    over_time = integrate(replace(move, by=tuple(starts)), algebra)
+    return replace(over_time, conditions=(Condition(by, "start"), *over_time.conditions))
 
 
 def _time(known: Known, move: Move, algebra: Algebra) -> Performed:

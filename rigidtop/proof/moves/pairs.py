@@ -98,7 +98,7 @@ def give(equation: Equation, source: Known, given: dict[Expr, Value], letters: L
         both = ((left, right), (right, left))
         for atom, other in (
             *((single_atom(side), other) for side, other in both),
-            *((_scaled_atom(side), other) for side, other in both),
+            *((_scaled_atom(side, letters), other) for side, other in both),
         ):
             if atom is None or atom[0] in given or atom[0] in set(atoms_of(other)):
                 continue
@@ -202,11 +202,15 @@ def single_atom(value: Value) -> tuple[Expr, Expr] | None:
     return (atom, number) if is_atom and number != 0 else None
 
 
-def _scaled_atom(value: Value) -> tuple[Expr, Expr] | None:
+def _scaled_atom(value: Value, letters: Letters) -> tuple[Expr, Expr] | None:
     """The atom of a value that is one vector, or one product or rate, times what can't vanish."""
+    rates = {*letters.rates.values()}
     if isinstance(value, Vector) and len(value.terms) == 1:
         [(atom, factor)] = value.terms.items()
-    elif isinstance(value, Mul) and len(made := [f for f in value.args if f.func in _MADE]) == 1:
+    elif isinstance(value, Mul):
+        made = [f for f in value.args if f.func in _MADE or f in rates]
+        if len(made) != 1:
+            return None
         [atom], factor = made, value / made[0]
     else:
         return None

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import sympy
-from sympy import Dummy, Expr, Integer, Symbol
+from sympy import Dummy, Expr, Integer, Mul, Pow, Symbol
 
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation
@@ -21,14 +21,21 @@ from rigidtop.proof.moves.move import (
     RefusedError,
     Scope,
 )
-from rigidtop.proof.moves.pairs import atom_of, equal_pairs, is_operator
+from rigidtop.proof.moves.pairs import atom_of, equal_pairs, is_operator, single_atom
 from rigidtop.proof.values import Vector, difference, flattened
 from rigidtop.theory.symbols import const
 from rigidtop.theory.trig import reduce_trig
 
 
 def solve(move: Move, algebra: Algebra) -> Performed:
-    """For one letter or vector, or more: linear, or the roots of a quadratic."""
+    """For one letter or vector, or more: linear, or the roots of a quadratic.
+
+    What is asked for may be a power or a product, which is one thing then.
+    """
+    whole = {x: Dummy() for x in map(algebra.value, move.by) if isinstance(x, (Pow, Mul))}
+    whole = {x: name for x, name in whole.items() if single_atom(x) is None}
+    if whole:
+        return _solved_whole(move, algebra, whole)
     unknowns = [atom_of(algebra.value(x), x) for x in move.by]
     if len(move.of) > len(unknowns):
         raise RefusedError("more equations than unknowns")
@@ -43,6 +50,30 @@ def solve(move: Move, algebra: Algebra) -> Performed:
     if len(unknowns) == 1 and len(pairs) == 1:
         return _roots(pairs[0], unknowns[0], move, scope)
     raise RefusedError("this is not linear in {}", *move.by)
+
+
+def _solved_whole(move: Move, algebra: Algebra, whole: Mapping[Expr, Symbol]) -> Performed:
+    """The same with a letter for each power or product that is asked for."""
+    back = {name: x for x, name in whole.items()}
+
+    def named(side: Expr) -> Expr:
+        flat, nodes = flattened(algebra.value(side))
+        inner = {node: x for x, node in nodes.items()}
+        return (
+            sympy.expand(flat)
+            .subs({x.xreplace(inner): y for x, y in whole.items()})
+            .xreplace(nodes)
+        )
+
+    def lettered(known: Known) -> Known:
+        made = (Equation(*map(named, e.sides), relation=e.relation) for e in known.equations)
+        return replace(known, equations=tuple(made))
+
+    by = tuple(whole.get(algebra.value(x), x) for x in move.by)
+    made = solve(replace(move, of=tuple(map(lettered, move.of)), by=by), algebra)
+    pairs = (Pair(*(x.xreplace(back) for x in pair.sides)) for pair in made.pairs)
+    conditions = (replace(c, expression=c.expression.xreplace(back)) for c in made.conditions)
+    return replace(made, pairs=tuple(pairs), conditions=tuple(conditions))
 
 
 def _without_const(known: Known) -> Known:

@@ -1,0 +1,84 @@
+"""The chapters that come with rigidtop: every line follows, and a wrong one is told."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from rigidtop.cli import main
+from rigidtop.collection.chapters import CHAPTERS, chapters
+
+SLIPS = {
+    "kepler": (
+        ("orbit", r"= mr\dot\phi^2 - \frac k{r^2}", r"= mr\dot\phi^2 + \frac k{r^2}"),
+        ("orbit", r"= -\frac{\dot r}{r^2\dot\phi}", r"= \frac{\dot r}{r^2\dot\phi}"),
+        ("orbit", r"+ u = \frac{mk}{\ell^2} \tag", r"- u = \frac{mk}{\ell^2} \tag"),
+        ("orbit", r"\right)\cos\phi \tag", r"\right)\cos2\phi \tag"),
+        ("time", r"\eta - \varepsilon\sin\eta = nt", r"\eta - \varepsilon\cos\eta = nt"),
+        ("time", r"= -\frac k{2a}", r"= -\frac k{a}"),
+        (
+            "vector",
+            r"- \frac{\dot r}{r^2}\mathbf r\right)",
+            r"+ \frac{\dot r}{r^2}\mathbf r\right)",
+        ),
+    ),
+}
+"""Lines of each chapter, by their pages, with what a pen may make of them."""
+
+
+def checked(folder, capsys):
+    """The lines of a folder, as `check --lines` tells them, and the exit code."""
+    code = main(["check", f"{folder}/", "--lines", "--json"])
+    return json.loads(capsys.readouterr().out), code
+
+
+@pytest.fixture(params=chapters())
+def copy(request, tmp_path):
+    """A chapter as `rigidtop new --from` copies it, with its name."""
+    folder = tmp_path / request.param
+    assert main(["new", "--from", request.param, str(folder)]) == 0
+    return folder
+
+
+def test_each_chapter_checks_without_a_gap(copy, capsys):
+    capsys.readouterr()
+    lines, code = checked(copy, capsys)
+    assert code == 0
+    assert [line for line in lines if line["verdict"] == "gap"] == []
+    assert main(["check", f"{copy}/"]) == 0
+
+
+def test_wrong_lines_are_told_with_what_the_move_gives(copy, capsys):
+    wanted = []
+    for page, right, wrong in SLIPS[copy.name]:
+        file = copy / f"{page}.md"
+        text = file.read_text("utf-8")
+        assert text.count(right) >= 1, right
+        wanted.append((file.name, text.count("\n", 0, text.index(right)) + 1))
+        file.write_text(text.replace(right, wrong, 1), "utf-8")
+    capsys.readouterr()
+    lines, code = checked(copy, capsys)
+    assert code == 1
+    told = {(line["file"], line["line"]): line for line in lines}
+    for file, line in wanted:
+        judged = told[file, line]
+        assert judged["verdict"] == "gap", (file, line)
+        assert judged["note"], (file, line)
+
+
+def test_every_chapter_has_its_slips():
+    assert {*chapters()} == {*SLIPS}
+    assert all(len(slips) >= 5 for slips in SLIPS.values())
+
+
+def test_chapters_are_listed(capsys):
+    assert main(["list", "--chapters", "--json"]) == 0
+    listed = json.loads(capsys.readouterr().out)
+    assert [each["name"] for each in listed] == sorted(p.name for p in CHAPTERS.iterdir())
+    assert main(["list", "--chapters", "3.57"]) == 2
+
+
+def test_a_chapter_that_is_not_there_is_told(tmp_path, capsys):
+    assert main(["new", "--from", "keplr", str(tmp_path / "mine")]) == 2
+    assert "no chapter 'keplr'; there are" in capsys.readouterr().err
