@@ -25,6 +25,7 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Rearrange A.   Expand A.   Collect A.   Factor A.   Rewrite A.   Simplify A.
     Exchange $k$ and $l$ in A.              (the indices of two sums)
     Solve A for $x$.                        Solve A for $x$, eliminating $y$.
+    Eliminate $x$ and $y$ from A.  (linear and with no rest: the determinant is 0)
     Take the square root of A.              Square A.
     Take the sine of A.                     (or the cosine, or the logarithm)
     Determine the sign of A.                (A's right side is < 0 or > 0)
@@ -409,6 +410,7 @@ _SHAPES = (
     _Shape(rf"Exchange \$(?P<k>[a-z])\$ and \$(?P<l>[a-z])\${_of('in')}", "exchange"),
     _Shape(rf"Solve{_OBJECT} for (?P<x>\$.+\$), (?:without|eliminating) (?P<w>\$.+\$)", "solve"),
     _Shape(rf"Solve{_OBJECT} for (?P<x>\$.+\$)", "solve"),
+    _Shape(rf"Eliminate {_X}{_of('from')}", "eliminate"),
     *(
         _Shape(rf"(?:Take|Determine) the {said}{_of('of')}", verb)
         for said, verb in (("(?:square )?root", "root"), *((each, each) for each in _FUNCTIONS))

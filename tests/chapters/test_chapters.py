@@ -10,6 +10,19 @@ from rigidtop.cli import main
 from rigidtop.collection.chapters import CHAPTERS, chapters
 
 SLIPS = {
+    "coupled": (
+        ("pendulums", r"V \approx -2mgl + \tfrac12mgl", r"V \approx -2mgl - \tfrac12mgl"),
+        (
+            "pendulums",
+            r"\ddot\theta_2 \approx -mgl\theta_2 + D",
+            r"\ddot\theta_2 \approx -mgl\theta_2 - D",
+        ),
+        ("modes", r"\right)^2 - D^2 = 0", r"\right)^2 + D^2 = 0"),
+        ("modes", r"\kappa = \frac gl + \frac{2D}m", r"\kappa = \frac gl + \frac Dm"),
+        ("modes", r"a_2 = -a_1", r"a_2 = a_1"),
+        ("modes", r"\eta = \tfrac12\theta_0\cos\omega_2t", r"\eta = \tfrac12\theta_0\sin\omega_2t"),
+        ("modes", r"= \theta_0\cos\frac{(\omega_2 - ", r"= \theta_0\sin\frac{(\omega_2 - "),
+    ),
     "kepler": (
         ("orbit", r"= mr\dot\phi^2 - \frac k{r^2}", r"= mr\dot\phi^2 + \frac k{r^2}"),
         ("orbit", r"= -\frac{\dot r}{r^2\dot\phi}", r"= \frac{\dot r}{r^2\dot\phi}"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 
 from sympy import Expr, MatrixBase, Symbol
@@ -14,6 +15,7 @@ from rigidtop.proof.moves.move import (
     Condition,
     Known,
     Move,
+    Order,
     Pair,
     Performed,
     RefusedError,
@@ -22,7 +24,8 @@ from rigidtop.proof.moves.move import (
     the_factor,
     the_one,
 )
-from rigidtop.proof.moves.pairs import all_pairs, equal_pairs
+from rigidtop.proof.moves.orders import NEGLECTED
+from rigidtop.proof.moves.pairs import all_pairs, equal_pairs, said_pairs
 from rigidtop.proof.values import TIME, Value, Vector, atoms_of, flattened
 from rigidtop.theory.rates import slope
 
@@ -33,7 +36,7 @@ def differentiate(move: Move, algebra: Algebra) -> Performed:
     made: list[Pair] = []
     for by in move.by:
         _may_differentiate(known, by, algebra)
-        for pair in equal_pairs(known, algebra):
+        for pair in _smooth_pairs(known, algebra):
             if not isinstance(pair.left, Symbol):
                 continue
             held = algebra.letters.arguments(pair.left)
@@ -45,7 +48,22 @@ def differentiate(move: Move, algebra: Algebra) -> Performed:
         raise RefusedError(
             "{} does not give a letter as a function: solve it for one", name_of(known)
         )
-    return Performed(tuple(made), known.scope)
+    return Performed(tuple(made), known.scope, order=_lowered(known, move.by))
+
+
+def _smooth_pairs(known: Known, algebra: Algebra) -> list[Pair]:
+    """The pairs that may be differentiated: also what was expanded, as its remainder is smooth."""
+    if known.order is None or known.order.small == NEGLECTED:
+        return equal_pairs(known, algebra)
+    return said_pairs(known, algebra)
+
+
+def _lowered(known: Known, by: Collection[Expr]) -> Order | None:
+    """The order of the derivative of what is left out, one less where a small letter changes."""
+    order = known.order
+    if order is None or not {*by} & {*(order.together or (order.small,))}:
+        return order
+    return replace(order, power=order.power - 1)
 
 
 def _may_differentiate(known: Known, by: Expr, algebra: Algebra) -> None:
@@ -122,12 +140,15 @@ def rate(move: Move, algebra: Algebra) -> Performed:
             "{} holds where something is set, at a moment: its rate does not follow", name_of(known)
         )
     pairs = []
-    for pair in equal_pairs(known, algebra):
+    for pair in _smooth_pairs(known, algebra):
         for side in pair.sides:
             for letter in algebra.letters.functions.keys() & {*atoms_of(side)}:
                 _is_function(letter, move, algebra)
         pairs.append(Pair(algebra.rate(pair.left, frame), algebra.rate(pair.right, frame)))
-    return Performed(tuple(pairs), known.scope)
+    order = known.order
+    small = () if order is None else order.together or (order.small,)
+    changing = {*small} - algebra.letters.numbers
+    return Performed(tuple(pairs), known.scope, order=_lowered(known, changing))
 
 
 def along(move: Move, algebra: Algebra) -> Performed:

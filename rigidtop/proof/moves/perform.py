@@ -202,6 +202,7 @@ _VERBS: Mapping[str, Callable[[Move, Algebra], Performed]] = {
     "turn factors": operators.exchange_factors,
     "strip": operators.strip,
     "solve": solving.solve,
+    "eliminate": solving.eliminate,
     "root": signs.root,
     "sine": functions.function(sympy.sin),
     "cosine": functions.function(sympy.cos),
