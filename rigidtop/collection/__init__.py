@@ -257,7 +257,8 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
     own = declared((f"{name}.md", text) for name, text in _sources(folder, names))
     notation = _notation(folder, own.symbols)
     letters = letters_of(notation)
-    letters = replace(letters, numbers=letters.numbers - {*own.symbols} | own.numbers)
+    numbers = letters.numbers - {*own.symbols} | own.numbers
+    letters = replace(letters, numbers=numbers, frames=own.frames)
     read = partial(_lecture, folder, names, notation, letters)
     texts = {text.name: text for text in read(()).texts} if written else {}
     pages = by_hand or tuple(page_of(number, title, texts[name]) for number, title, name in written)

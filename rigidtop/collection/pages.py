@@ -43,6 +43,8 @@ KINDS = {
     "positive coordinate": "a coordinate that is positive, such as a distance",
     "positive variable": "what depends on the motion and is positive",
     "vector": "a vector that moves",
+    "frame": "three axes in one row, right-handed and at right angles, which may turn",
+    "fixed frame": "three axes that do not turn",
     "variable": "anything else that depends on the motion",
 }
 """What a letter can be, as the last column of the table says."""
@@ -132,6 +134,7 @@ class Declared:
 
     symbols: tuple[Lettered, ...] = ()
     numbers: frozenset[Symbol] = frozenset()
+    frames: tuple[tuple[Symbol, Symbol, Symbol], ...] = ()
 
 
 def declared(sources: Iterable[tuple[str, str]]) -> Declared:
@@ -159,8 +162,14 @@ def declared(sources: Iterable[tuple[str, str]]) -> Declared:
         raise RigidtopError("\n".join(wrong))
     symbols = in_order(*(symbol for symbol, _ in made.values()))
     kinds = [kind for _, kind in made.values()]
-    fixed = (x for x, kind in zip(symbols, kinds, strict=True) if kind in ("positive", "number"))
-    return Declared(symbols, frozenset(fixed))
+    fixed = (x for x, kind in zip(symbols, kinds, strict=True) if kind in _FIXED)
+    axes = [x for x, kind in zip(symbols, kinds, strict=True) if kind.endswith("frame")]
+    frames = zip(axes[::3], axes[1::3], axes[2::3], strict=True)
+    return Declared(symbols, frozenset(fixed), tuple(frames))
+
+
+_FIXED = ("positive", "number", "fixed frame")
+"""The kinds that do not change in time."""
 
 
 def _row(row: Row) -> Iterator[tuple[Lettered, str]]:
@@ -171,9 +180,12 @@ def _row(row: Row) -> Iterator[tuple[Lettered, str]]:
     kind = kind or "variable"
     if kind not in KINDS:
         raise RigidtopError(f"{kind!r} is no kind of letter: {', '.join(KINDS)}")
+    if kind.endswith("frame") and letters.count(",") != 2:
+        raise RigidtopError("a frame is three letters in one row, with commas between them")
     for latex in letters.split(","):
         glyph = _glyph(latex.strip())
-        if glyph.bold != (kind == "vector") and not (glyph.bold and kind == "number"):
+        bold = kind == "vector" or kind.endswith("frame")
+        if glyph.bold != bold and not (glyph.bold and kind == "number"):
             raise RigidtopError(f"{latex.strip()}: a vector is bold, and what is bold is a vector")
         make = positive if kind.startswith("positive") else real
         unit = "" if unit == "–" else unit

@@ -23,6 +23,19 @@ SLIPS = {
         ("modes", r"\eta = \tfrac12\theta_0\cos\omega_2t", r"\eta = \tfrac12\theta_0\sin\omega_2t"),
         ("modes", r"= \theta_0\cos\frac{(\omega_2 - ", r"= \theta_0\sin\frac{(\omega_2 - "),
     ),
+    "foucault": (
+        (
+            "laboratory",
+            r"\mathbf a + 2\boldsymbol\omega\times\mathbf v",
+            r"\mathbf a + \boldsymbol\omega\times\mathbf v",
+        ),
+        ("laboratory", r"\mathbf e_3\cdot\mathbf S - g", r"\mathbf e_3\cdot\mathbf S + g"),
+        ("stone", r"- 4\omega^2x \tag", r"+ 4\omega^2x \tag"),
+        ("stone", r"\tfrac13\omega gt^3", r"\tfrac16\omega gt^3"),
+        ("pendulum", r"- 2\Omega\dot x \tag", r"+ 2\Omega\dot x \tag"),
+        ("pendulum", r"X = A\cos\omega_1t", r"X = A\cos\omega_0t"),
+        ("pendulum", r"y = -A\cos\omega_1t", r"y = A\cos\omega_1t"),
+    ),
     "kepler": (
         ("orbit", r"= mr\dot\phi^2 - \frac k{r^2}", r"= mr\dot\phi^2 + \frac k{r^2}"),
         ("orbit", r"= -\frac{\dot r}{r^2\dot\phi}", r"= \frac{\dot r}{r^2\dot\phi}"),
@@ -35,6 +48,18 @@ SLIPS = {
             r"- \frac{\dot r}{r^2}\mathbf r\right)",
             r"+ \frac{\dot r}{r^2}\mathbf r\right)",
         ),
+    ),
+    "rolling": (
+        ("wheel", r"I\ddot\chi = -\mu R", r"I\ddot\chi = \mu R"),
+        ("wheel", r"\ddot\chi = \frac{mRg", r"\ddot\chi = \frac{mg"),
+        ("wheel", r"\tan\alpha < \mu_s", r"\tan\alpha > \mu_s"),
+        ("turntable", r"\tfrac72\dot", r"\tfrac75\dot"),
+        (
+            "turntable",
+            r"\mathbf v + \mathbf n\times(\mathbf",
+            r"\mathbf v - \mathbf n\times(\mathbf",
+        ),
+        ("turntable", r"\frac{49}{4\Omega^2}", r"\frac7{2\Omega^2}"),
     ),
 }
 """Lines of each chapter, by their pages, with what a pen may make of them."""

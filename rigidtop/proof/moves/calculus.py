@@ -61,7 +61,7 @@ def _smooth_pairs(known: Known, algebra: Algebra) -> list[Pair]:
 def _lowered(known: Known, by: Collection[Expr]) -> Order | None:
     """The order of the derivative of what is left out, one less where a small letter changes."""
     order = known.order
-    if order is None or not {*by} & {*(order.together or (order.small,))}:
+    if order is None or not {*by} & {*order.letters}:
         return order
     return replace(order, power=order.power - 1)
 
@@ -84,7 +84,8 @@ def _may_differentiate(known: Known, by: Expr, algebra: Algebra) -> None:
             name_of(known),
             by,
         )
-    for x in {x for e in known.equations for x in symbols_of(e)}:
+    small = () if known.order is None else known.order.letters
+    for x in {*small, *(x for e in known.equations for x in symbols_of(e))}:
         if by in algebra.letters.numbers & algebra.letters.made_of(x):
             raise RefusedError("{} is defined by {}: put its definition in first", x, by)
 
@@ -146,8 +147,7 @@ def rate(move: Move, algebra: Algebra) -> Performed:
                 _is_function(letter, move, algebra)
         pairs.append(Pair(algebra.rate(pair.left, frame), algebra.rate(pair.right, frame)))
     order = known.order
-    small = () if order is None else order.together or (order.small,)
-    changing = {*small} - algebra.letters.numbers
+    changing = {*(() if order is None else order.letters)} - algebra.letters.numbers
     return Performed(tuple(pairs), known.scope, order=_lowered(known, changing))
 
 
