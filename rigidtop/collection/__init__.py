@@ -30,7 +30,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -59,6 +59,7 @@ from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.model import Model
 from rigidtop.proof.page import Claim, Page
+from rigidtop.read.library import Law, laws_of
 from rigidtop.read.page import read_beside, read_exercises, read_lecture
 from rigidtop.report.blocks import NOTES, Front
 from rigidtop.terminal.files import text_of
@@ -292,6 +293,16 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
     )
 
 
+@cache
+def _library() -> tuple[Law, ...]:
+    """The laws of the lecture on the top, which a page cites by their names."""
+    from rigidtop.derivations import laws
+
+    return tuple(
+        replace(law, source=f"The lecture on the top: {law.source}") for law in laws_of(laws())
+    )
+
+
 LAWS = "laws"
 """The text that stands before all others, if a folder has it."""
 
@@ -310,7 +321,7 @@ def _lecture(
     exercises: Sequence[str],
 ) -> Lecture:
     """The texts of a folder, those of exercises last."""
-    read = read_lecture(_sources(folder, names), letters, notation)
+    read = read_lecture(_sources(folder, names), letters, notation, _library)
     behind = [(name, text_of(folder / f"{name}.md")) for name in exercises]
     return read_exercises(behind, replace(read, refuted=refuted), notation)
 

@@ -178,3 +178,25 @@ def test_a_derivative_is_known_to_one_order_less(tmp_path, capsys):
     once = ("Differentiate in time", r"\dot V \approx \tfrac12kx\dot x")
     line = told(tmp_path, capsys, EXPANDED, once)
     assert line["verdict"] != "gap", line["note"]
+
+
+LAW = r"\frac{d}{dt}\frac{\partial V}{\partial\dot r} = \frac{\partial V}{\partial r}"
+
+
+@pytest.mark.parametrize(
+    ("called", "shown", "known"),
+    [
+        ("Lagrange's equation for $r$", LAW, True),
+        ("Lagrange's equation for $r$", LAW.replace("= ", "= -"), False),
+        ("Lagrange's equation for $r$", LAW.replace(r"{\partial r}", r"{\partial x}"), False),
+        ("Hamilton's equation for $r$", LAW, False),
+    ],
+)
+def test_a_law_of_the_lecture_needs_no_source(tmp_path, capsys, called, shown, known):
+    page = tmp_path / "trial"
+    page.mkdir()
+    law = f"{called}:\n\n$${shown}$$\n\n## A part"
+    (page / "trial.md").write_text(TABLE.replace("## A part", law) + "\nWords.\n", "utf-8")
+    code = main(["check", f"{page}/"])
+    assert ("has no source" not in capsys.readouterr().out) is known
+    assert (code == 0) is known
