@@ -52,8 +52,8 @@ from rigidtop.collection.pages import declared, page_of, pages_of
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.judge.page import refuted
-from rigidtop.notation import MATRICES, Notation
 from rigidtop.notation import NOTES as NOTATION
+from rigidtop.notation import Notation, is_matrix
 from rigidtop.proof.exercise import Exercise, texts
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.letters import Letters
@@ -346,7 +346,7 @@ def letters_of(notation: Notation) -> Letters:
         coordinates=tuple(x for x in rates if glyphs[x].accent == "" and not glyphs[x].bold),
         rates=rates,
         vectors=frozenset(x for x, glyph in glyphs.items() if glyph.bold),
-        operators=frozenset(MATRICES) & frozenset(glyphs),
+        operators=frozenset(filter(is_matrix, glyphs)),
         families=tuple(f for f in LETTERS.families if len({*f} & {*glyphs}) > 1),
         exists=LETTERS.exists,
         units={

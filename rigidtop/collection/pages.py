@@ -28,7 +28,7 @@ from rigidtop.proof.words import bold
 from rigidtop.read.statements import statements
 from rigidtop.read.tables import Row, rows
 from rigidtop.terminal.files import text_of
-from rigidtop.theory.lettered import Lettered, in_order, positive, real
+from rigidtop.theory.lettered import Lettered, in_order, matrix, positive, real
 from rigidtop.theory.symbols import Glyph
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -42,6 +42,7 @@ KINDS = {
     "coordinate": "a coordinate, whose rates have letters too",
     "positive coordinate": "a coordinate that is positive, such as a distance",
     "positive variable": "what depends on the motion and is positive",
+    "matrix": "a square matrix",
     "vector": "a vector that moves",
     "frame": "three axes in one row, right-handed and at right angles, which may turn",
     "fixed frame": "three axes that do not turn",
@@ -187,6 +188,9 @@ def _row(row: Row) -> Iterator[tuple[Lettered, str]]:
         bold = kind == "vector" or kind.endswith("frame")
         if glyph.bold != bold and not (glyph.bold and kind == "number"):
             raise RigidtopError(f"{latex.strip()}: a vector is bold, and what is bold is a vector")
+        if kind == "matrix":
+            yield matrix(_name(glyph), glyph, _in_words(meaning), unit), kind
+            continue
         make = positive if kind.startswith("positive") else real
         unit = "" if unit == "–" else unit
         yield make(_name(glyph), glyph, _in_words(meaning), unit), kind

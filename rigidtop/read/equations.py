@@ -18,7 +18,7 @@ from typing import Any
 import sympy
 from sympy import Add, Integer, MatrixBase, Mul, Pow, Rational, Symbol
 
-from rigidtop.notation import MATRICES, NOTES, Notation
+from rigidtop.notation import NOTES, Notation, is_matrix
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation
 from rigidtop.read.macros import PACKAGES, Macros
@@ -208,7 +208,7 @@ def kind(node: Any) -> str:
     if isinstance(node, Symbol):
         _, quantity = known(node)
         bold = quantity is not None and quantity.glyph.bold
-        return "matrix" if node in MATRICES else "vector" if bold else "scalar"
+        return "matrix" if is_matrix(node) else "vector" if bold else "scalar"
     if type(node) in _CARRIES:
         return kind(node.args[_CARRIES[type(node)]])
     if isinstance(node, (Add, Mul)):
@@ -410,7 +410,8 @@ def _is_of_matrices(node: n.Node, meaning: _Meaning) -> bool:
             return True
         if isinstance(x, n.Apply) and x.name in _OF_MATRICES:
             return True
-        if isinstance(x, n.Letter) and meaning.symbol(x) in MATRICES:
+        symbol = meaning.symbol(x) if isinstance(x, n.Letter) else None
+        if symbol is not None and is_matrix(symbol):
             return True
         if isinstance(x, n.Product) and any(_acts(meaning, *two) for two in pairwise(x.factors)):
             return True

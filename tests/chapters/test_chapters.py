@@ -22,6 +22,8 @@ SLIPS = {
         ("modes", r"a_2 = -a_1", r"a_2 = a_1"),
         ("modes", r"\eta = \tfrac12\theta_0\cos\omega_2t", r"\eta = \tfrac12\theta_0\sin\omega_2t"),
         ("modes", r"= \theta_0\cos\frac{(\omega_2 - ", r"= \theta_0\sin\frac{(\omega_2 - "),
+        ("many", r"(\kappa_1 - \kappa_2)\mathbf w", r"(\kappa_1 + \kappa_2)\mathbf w"),
+        ("many", r"\frac{4D}m\sin^2", r"\frac{4D}m\cos^2"),
     ),
     "foucault": (
         (
