@@ -9,6 +9,6 @@ setup(
     ],
     package_dir={"rigidtop.derivations": "derivations"},
     # Styles, pages, grammars: all but .py and .pyc.
-    package_data={"": ["py.typed", "*.[!p]*", "*/*.[!p]*"]},
+    package_data={"": ["py.typed", "*.[!p]*", "*/*.[!p]*", "chapters/*/*"]},
     include_package_data=False,
 )

@@ -23,7 +23,7 @@ from rigidtop.derivations import (
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.judge.page import refuted
 from rigidtop.notation import NOTES
-from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.lecture import Lecture, Text
 from rigidtop.read.page import read_exercises, read_lecture
 
 PAGES = (
@@ -75,6 +75,12 @@ def lecture() -> Lecture:
     """The text of the lecture, read: every line with the move that leads to it."""
     text = read_lecture(_sources(TEXTS), LETTERS, NOTES)
     return replace(text, refuted=refuted, formerly=FORMERLY)
+
+
+@cache
+def laws() -> Text:
+    """The page of laws that the lecture starts from."""
+    return read_lecture(_sources(TEXTS[:1]), LETTERS, NOTES).texts[0]
 
 
 def lecture_with(exercises: Sequence[str]) -> Lecture:

@@ -30,7 +30,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -52,13 +52,14 @@ from rigidtop.collection.pages import declared, page_of, pages_of
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
 from rigidtop.judge.page import refuted
-from rigidtop.notation import MATRICES, Notation
 from rigidtop.notation import NOTES as NOTATION
+from rigidtop.notation import Notation, is_matrix
 from rigidtop.proof.exercise import Exercise, texts
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.model import Model
 from rigidtop.proof.page import Claim, Page
+from rigidtop.read.library import Law, laws_of
 from rigidtop.read.page import read_beside, read_exercises, read_lecture
 from rigidtop.report.blocks import NOTES, Front
 from rigidtop.terminal.files import text_of
@@ -257,7 +258,8 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
     own = declared((f"{name}.md", text) for name, text in _sources(folder, names))
     notation = _notation(folder, own.symbols)
     letters = letters_of(notation)
-    letters = replace(letters, numbers=letters.numbers | own.numbers)
+    numbers = letters.numbers - {*own.symbols} | own.numbers
+    letters = replace(letters, numbers=numbers, frames=own.frames)
     read = partial(_lecture, folder, names, notation, letters)
     texts = {text.name: text for text in read(()).texts} if written else {}
     pages = by_hand or tuple(page_of(number, title, texts[name]) for number, title, name in written)
@@ -291,6 +293,16 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
     )
 
 
+@cache
+def _library() -> tuple[Law, ...]:
+    """The laws of the lecture on the top, which a page cites by their names."""
+    from rigidtop.derivations import laws
+
+    return tuple(
+        replace(law, source=f"The lecture on the top: {law.source}") for law in laws_of(laws())
+    )
+
+
 LAWS = "laws"
 """The text that stands before all others, if a folder has it."""
 
@@ -309,7 +321,7 @@ def _lecture(
     exercises: Sequence[str],
 ) -> Lecture:
     """The texts of a folder, those of exercises last."""
-    read = read_lecture(_sources(folder, names), letters, notation)
+    read = read_lecture(_sources(folder, names), letters, notation, _library)
     behind = [(name, text_of(folder / f"{name}.md")) for name in exercises]
     return read_exercises(behind, replace(read, refuted=refuted), notation)
 
@@ -334,7 +346,7 @@ def letters_of(notation: Notation) -> Letters:
         coordinates=tuple(x for x in rates if glyphs[x].accent == "" and not glyphs[x].bold),
         rates=rates,
         vectors=frozenset(x for x, glyph in glyphs.items() if glyph.bold),
-        operators=frozenset(MATRICES) & frozenset(glyphs),
+        operators=frozenset(filter(is_matrix, glyphs)),
         families=tuple(f for f in LETTERS.families if len({*f} & {*glyphs}) > 1),
         exists=LETTERS.exists,
         units={
@@ -352,7 +364,11 @@ def _notation(folder: Path, declared: Sequence[Lettered]) -> Notation:
     name = module_name(folder)
     modules = [vars(m) for known, m in sys.modules.items() if f"{known}.".startswith(f"{name}.")]
     values = [value for names in modules for value in names.values()]
-    used = {value for value in values if isinstance(value, Symbol)} | {symbols.const, *declared}
+    used = {value for value in values if isinstance(value, Symbol)} | {
+        symbols.const,
+        symbols.t,
+        *declared,
+    }
     if any(value is symbols for value in values):  # from rigidtop.theory import symbols
         used |= {*NOTATION.glyphs}
     own = sorted((x for x in used if isinstance(x, Lettered)), key=lambda x: (x.place, x.name))

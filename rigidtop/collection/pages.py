@@ -28,7 +28,7 @@ from rigidtop.proof.words import bold
 from rigidtop.read.statements import statements
 from rigidtop.read.tables import Row, rows
 from rigidtop.terminal.files import text_of
-from rigidtop.theory.lettered import Lettered, in_order, positive, real
+from rigidtop.theory.lettered import Lettered, in_order, matrix, positive, real
 from rigidtop.theory.symbols import Glyph
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -40,7 +40,12 @@ KINDS = {
     "positive": "a number that is positive",
     "number": "a number of any sign, or a vector that does not change",
     "coordinate": "a coordinate, whose rates have letters too",
+    "positive coordinate": "a coordinate that is positive, such as a distance",
+    "positive variable": "what depends on the motion and is positive",
+    "matrix": "a square matrix",
     "vector": "a vector that moves",
+    "frame": "three axes in one row, right-handed and at right angles, which may turn",
+    "fixed frame": "three axes that do not turn",
     "variable": "anything else that depends on the motion",
 }
 """What a letter can be, as the last column of the table says."""
@@ -117,7 +122,8 @@ def table_of(symbols: Sequence[Lettered]) -> str:
         if glyph.accent in ("dot", "ddot"):
             continue
         kind = "positive" if symbol.is_positive else "vector" if glyph.bold else ""
-        kind = "coordinate" if not kind and replace(glyph, accent="dot") in glyphs else kind
+        if not glyph.bold and replace(glyph, accent="dot") in glyphs:
+            kind = f"{kind} coordinate".strip()
         lines.append(f"| ${letter(glyph)}$ | {quantity.meaning} | {quantity.unit} | {kind} |")
     head = ("| letter | meaning | unit | kind |", "| --- | --- | --- | --- |")
     return "\n".join((*head, *lines))
@@ -129,6 +135,7 @@ class Declared:
 
     symbols: tuple[Lettered, ...] = ()
     numbers: frozenset[Symbol] = frozenset()
+    frames: tuple[tuple[Symbol, Symbol, Symbol], ...] = ()
 
 
 def declared(sources: Iterable[tuple[str, str]]) -> Declared:
@@ -156,8 +163,14 @@ def declared(sources: Iterable[tuple[str, str]]) -> Declared:
         raise RigidtopError("\n".join(wrong))
     symbols = in_order(*(symbol for symbol, _ in made.values()))
     kinds = [kind for _, kind in made.values()]
-    fixed = (x for x, kind in zip(symbols, kinds, strict=True) if kind in ("positive", "number"))
-    return Declared(symbols, frozenset(fixed))
+    fixed = (x for x, kind in zip(symbols, kinds, strict=True) if kind in _FIXED)
+    axes = [x for x, kind in zip(symbols, kinds, strict=True) if kind.endswith("frame")]
+    frames = zip(axes[::3], axes[1::3], axes[2::3], strict=True)
+    return Declared(symbols, frozenset(fixed), tuple(frames))
+
+
+_FIXED = ("positive", "number", "fixed frame")
+"""The kinds that do not change in time."""
 
 
 def _row(row: Row) -> Iterator[tuple[Lettered, str]]:
@@ -168,14 +181,20 @@ def _row(row: Row) -> Iterator[tuple[Lettered, str]]:
     kind = kind or "variable"
     if kind not in KINDS:
         raise RigidtopError(f"{kind!r} is no kind of letter: {', '.join(KINDS)}")
+    if kind.endswith("frame") and letters.count(",") != 2:
+        raise RigidtopError("a frame is three letters in one row, with commas between them")
     for latex in letters.split(","):
         glyph = _glyph(latex.strip())
-        if glyph.bold != (kind == "vector") and not (glyph.bold and kind == "number"):
+        bold = kind == "vector" or kind.endswith("frame")
+        if glyph.bold != bold and not (glyph.bold and kind == "number"):
             raise RigidtopError(f"{latex.strip()}: a vector is bold, and what is bold is a vector")
-        make = positive if kind == "positive" else real
+        if kind == "matrix":
+            yield matrix(_name(glyph), glyph, _in_words(meaning), unit), kind
+            continue
+        make = positive if kind.startswith("positive") else real
         unit = "" if unit == "–" else unit
         yield make(_name(glyph), glyph, _in_words(meaning), unit), kind
-        if kind in ("coordinate", "vector") and unit:
+        if kind.endswith(("coordinate", "vector")) and unit:
             said = _in_words(meaning)
             for accent, words in (("dot", "rate of"), ("ddot", "second rate of")):
                 unit = _per_second(unit)
@@ -187,11 +206,11 @@ def _per_second(unit: str) -> str:
     """The unit of a rate."""
     if unit == "1":
         return "1/s"
-    powers = {"/s": "/s²"}
-    for end, longer in powers.items():
+    for end, longer in (("/s", "/s²"), ("/s²", "/s³")):
         if unit.endswith(end):
             return unit.removesuffix(end) + longer
-    return f"{unit}/s"
+    over, slash, under = unit.partition("/")
+    return f"{over}/({under.strip('()')} s)" if slash else f"{unit}/s"
 
 
 def _glyph(latex: str) -> Glyph:

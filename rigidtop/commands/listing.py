@@ -6,6 +6,7 @@ import argparse
 
 from rigidtop.commands import claims
 from rigidtop.commands.output import print_json
+from rigidtop.errors import RigidtopError
 
 ABOUT = "list every claim of the lecture, by section"
 
@@ -14,6 +15,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command to its parser."""
     parser.add_argument(
         "name", nargs="*", help=f"only these claims or sections, such as 3.5; {claims.FOLDER}"
+    )
+    parser.add_argument(
+        "--chapters",
+        action="store_true",
+        help="list the chapters that `rigidtop new --from` copies",
     )
 
 
@@ -24,6 +30,8 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.report.records import claim_record
     from rigidtop.terminal.table import table
 
+    if options.chapters:
+        return _chapters(options)
     with opened(options.name) as (collection, names):
         found = claims.named(collection, names) if names else claims.every(collection)
     if options.json:
@@ -31,4 +39,19 @@ def run(options: argparse.Namespace) -> int:
         return 0
     rows = [[page.section, claim.name, unmarked(claim.says)] for page, claim in found]
     print(table(rows, ("section", "claim", "what the notes assert")))
+    return 0
+
+
+def _chapters(options: argparse.Namespace) -> int:
+    """Print the chapters that come with rigidtop, with the titles of their pages."""
+    from rigidtop.collection.chapters import chapters
+    from rigidtop.terminal.table import table
+
+    if options.name:
+        raise RigidtopError("--chapters lists them all: no name is needed")
+    if options.json:
+        print_json([{"name": name, "pages": titles} for name, titles in chapters().items()])
+    else:
+        rows = [[name, "; ".join(titles)] for name, titles in chapters().items()]
+        print(table(rows, ("chapter", "pages")))
     return 0

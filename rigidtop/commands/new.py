@@ -19,7 +19,8 @@ A collection is Python and runs as such. What is written passes at once:
   rigidtop check my_course/
   rigidtop lecture my_course/ -o out
   rigidtop new --page my_chapter    # Markdown alone: letters, laws, claims
-  rigidtop new --system my_system"""
+  rigidtop new --system my_system
+  rigidtop new --from kepler my_chapter"""
 
 STARTER = Path(__file__).parents[1] / "starter"
 """The package that is copied, so that what is started has been tested as it stands."""
@@ -38,6 +39,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="write a page in Markdown alone: its letters, its laws, its claims, and no Python",
     )
+    kind.add_argument(
+        "--from",
+        dest="chapter",
+        metavar="CHAPTER",
+        help="copy one of the chapters that `rigidtop list --chapters` names, such as kepler",
+    )
     parser.add_argument("folder", help="a folder that is not there yet, or is empty")
 
 
@@ -49,9 +56,7 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError("name a folder, such as my_course")
     folder = Path(options.folder)
     _check_name(folder.resolve().name)
-    contents = (
-        _page() if options.page else _files(STARTER / "system" if options.system else STARTER)
-    )
+    contents = _contents(options)
     names = [*contents]
     write(folder, contents)
     if options.json:
@@ -60,6 +65,17 @@ def run(options: argparse.Namespace) -> int:
         print("\n".join(str(folder / name) for name in names))
         print(f"now: rigidtop check {typed(folder)}")
     return 0
+
+
+def _contents(options: argparse.Namespace) -> dict[str, bytes]:
+    """What is written, by the names of its files."""
+    from rigidtop.collection.chapters import chapter
+
+    if options.page:
+        return _page()
+    if options.chapter is not None:
+        return _files(chapter(options.chapter))
+    return _files(STARTER / "system" if options.system else STARTER)
 
 
 def _files(starter: Path) -> dict[str, bytes]:

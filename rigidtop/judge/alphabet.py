@@ -65,7 +65,7 @@ def alphabet(letters: Letters) -> Alphabet:
     }
     return Alphabet(
         letters_of(letters.numbers),
-        letters_of(x for x in letters.numbers if x.is_positive),
+        letters_of(x for x in letters.numbers | {*letters.units} if x.is_positive),
         letters_of(letters.coordinates),
         letters_of(letters.vectors),
         letters_of(letters.operators),

@@ -207,7 +207,9 @@ class Ground:
                 each.by == (Letter("t"),) and not each.partial
             ):
                 of = n.ungrouped(each.of)
-                if isinstance(of, Letter) and of not in definitions and not self.whole:
+                along = not each.partial and {of, *each.by} <= self.habits.moving
+                known = along or of in definitions or self.whole
+                if isinstance(of, Letter) and not known:
                     return slope(each)
             if isinstance(each, n.Transposed) and isinstance(each.of, n.Tuple):
                 return each.of
@@ -283,11 +285,12 @@ class Ground:
 
     def _with_frames(self, context: Context) -> Context:
         """With right-handed frames of unit vectors, as far as these are spoken of."""
-        letters, fixed = self.letters, self.letters.unit & self.letters.numbers
+        letters = self.letters
+        columns = (x for x in letters.unit & letters.numbers if x.mark == "hat")  # by themselves
         spoken = frozenset(
             x for y in self.names for x in (y, *_made_of(context, y)) if x in letters.unit
         )
-        known = [*fixed, *(x for x in spoken if x in context.definitions)]
+        known = [*columns, *(x for x in spoken if x in context.definitions)]
         for frame in sorted(letters.frames, key=lambda f: -len({*f} & {*known})):
             for k, axis in enumerate(frame):
                 if axis not in spoken or axis in known:

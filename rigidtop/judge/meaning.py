@@ -318,12 +318,10 @@ class Meaning:
     def derivative(self, node: n.Derivative) -> Value:
         of = n.ungrouped(node.of)
         value, meaning = self._to_differentiate(of, node.by)
-        for x in node.by:
-            place = meaning.scalar(x)
-            if not node.partial and self._is_motion(of, value, place):
-                value = self.rate(value) / self.rate(place)
-            else:
-                value = _by(value, place)
+        places = [meaning.scalar(x) for x in node.by]
+        moving = not node.partial and all(self._is_motion(of, value, x) for x in places)
+        for place in places:
+            value = self.rate(value) / self.rate(place) if moving else _by(value, place)
         return self._released(value, meaning.held - self.held)
 
     def _is_motion(self, of: Node, value: Value, place: Expr) -> bool:

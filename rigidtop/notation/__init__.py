@@ -14,7 +14,7 @@ I1*thetaddot - M*g*l
 
 from __future__ import annotations
 
-from rigidtop.notation.convention import MATRICES, Notation
+from rigidtop.notation.convention import MATRICES, Notation, is_matrix
 from rigidtop.notation.table import BUILT_IN, named
 
 NOTES = named("notes")
@@ -23,4 +23,4 @@ NOTES = named("notes")
 GOLDSTEIN = named("goldstein")
 """Goldstein, Poole and Safko."""
 
-__all__ = ["BUILT_IN", "GOLDSTEIN", "MATRICES", "NOTES", "Notation", "named"]
+__all__ = ["BUILT_IN", "GOLDSTEIN", "MATRICES", "NOTES", "Notation", "is_matrix", "named"]

@@ -11,11 +11,18 @@ from sympy import Expr, Symbol
 
 from rigidtop.notation.translate import Image, inverse, translated
 from rigidtop.theory import symbols as s
-from rigidtop.theory.lettered import Lettered
+from rigidtop.theory.lettered import Lettered, known
 from rigidtop.theory.symbols import Glyph
 
 MATRICES = frozenset({s.inertia, s.Lambda, s.O_matrix, s.A_matrix, s.B_matrix, s.C_matrix, s.unit})
-"""Symbols that stand for square matrices."""
+"""Symbols of the lecture that stand for square matrices."""
+
+
+def is_matrix(symbol: Symbol) -> bool:
+    """Whether a symbol stands for a square matrix."""
+    _, quantity = known(symbol)
+    return symbol in MATRICES or (quantity is not None and quantity.matrix)
+
 
 SEQUENCES: Mapping[str, Mapping[Symbol, Image]] = {
     "zyz": {},

@@ -29,6 +29,7 @@ from rigidtop.proof.equation import (
     Partial,
     Printed,
     Rate,
+    Slope,
     SumOver,
     Transposed,
     Underbrace,
@@ -121,6 +122,9 @@ class Algebra(Operators):
             return self.integrated(*node.args)
         if isinstance(node, Rate):
             return self.rate(self.value(node.args[0]), node.args[1] if len(node.args) > 1 else None)
+        if isinstance(node, Slope):  # what is put in does not change what is differentiated
+            bare = Algebra(self.letters)
+            return self.value(bare.slope(*map(bare.value, node.args)))
         parts = [self.value(part) for part in node.args]
         if isinstance(node, Cross):
             return self.cross(*parts)
@@ -417,6 +421,13 @@ class Algebra(Operators):
         if not value.is_commutative:
             raise NoMeaningError("the rate of an operator")
         return self._scalar_rate(value)
+
+    def slope(self, value: Value, by: Expr) -> Value:
+        """The derivative along the motion by what changes in time, where its rate is not 0."""
+        rate = self.rate(by)
+        if rate == 0:
+            raise NoMeaningError(f"a derivative by {by}, which does not change")
+        return self.times(1 / rate, self.rate(value))
 
     def _scalar_rate(self, expression: Expr) -> Expr:
         flat, atoms = flattened(expression)

@@ -14,6 +14,7 @@ from sympy import Add, Expr, Integer, MatrixBase, Rational, Symbol
 
 from rigidtop.proof import bounds, decide, floats, quadrature
 from rigidtop.proof.algebra import Algebra
+from rigidtop.proof.clock import Clock
 from rigidtop.proof.equation import Equation, IntegralOver, NoMeaningError, Rate, symbols_of
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import (
@@ -60,6 +61,8 @@ def arrive(
     What was `performed` already need not be again.
     """
     performed = perform(move, letters) if performed is None else performed
+    if move.verb == "integrate over":
+        return _over(equations, move, letters, performed)
     algebra = Algebra(letters, performed.given)
     gone = [e.sides[0] for e in move.by] if move.verb == "set" and move.power < 2 else []
     if move.verb == "set" and move.power == 1:  # at all times: so are its rates
@@ -103,6 +106,22 @@ def arrive(
     if performed.every:
         _both_roots(equations, performed, shown)
     return performed
+
+
+def _over(
+    equations: Sequence[Equation], move: Move, letters: Letters, performed: Performed
+) -> Performed:
+    """The same as over time, with another letter in the place of t, from where that is 0."""
+    by, *starts = move.by
+    known = (e for each in move.cited for e in each.equations)
+    clock = Clock.of(by, (*known, *starts, *equations))
+    timed = [clock.equation(each, letters) for each in equations]
+    try:
+        made = arrive(timed, clock.move(move, letters), replace(letters, rates=clock.rates))
+    except RefusedError as error:
+        raise clock.problem(error) from None
+    conditions = (*performed.conditions, *map(clock.condition, made.conditions))
+    return replace(performed, conditions=tuple(dict.fromkeys(conditions)))
 
 
 def check_braces(equation: Equation, performed: Performed, move: Move, algebra: Algebra) -> None:
@@ -188,8 +207,12 @@ def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> list[
             motion[letter], value = known.value(value), bare.rate(value)
     algebra = Algebra(letters, motion)
     algebra = Algebra(letters, {**{x: algebra.value(v) for x, v in given.items()}, **motion})
-    if not all(_is_identity(p.valued(algebra), move) for p in cited):
-        raise RefusedError("this does not satisfy the equations that are integrated")
+    for pair in (each.valued(algebra) for each in cited):
+        if not _is_identity(pair, move):
+            became = Equation(*map(tree, pair.sides))
+            raise RefusedError(
+                "this does not satisfy the equations that are integrated: they become {}", became
+            )
     _gives_rates([p.valued(known) for p in cited], states, letters)
     start = {e.sides[0]: bare.value(e.sides[1]) for e in move.by}
     for letter in (x for lower in states for x in lower):

@@ -74,6 +74,10 @@ class Partial(Printed):
     """``Partial(f, x)``: ∂f/∂x, of a letter f; one thing, into which nothing is put."""
 
 
+class Slope(Printed):
+    """``Slope(u, φ)``: du/dφ along the motion, u̇/φ̇."""
+
+
 class SumOver(Printed):
     """``SumOver(k, body)``: Σₖ body.  The meaning of k is a sequence of mappings, one a term."""
 

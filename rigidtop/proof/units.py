@@ -33,6 +33,7 @@ from rigidtop.proof.equation import (
     Matrices,
     Partial,
     Rate,
+    Slope,
     SumOver,
     Transposed,
     Underbrace,
@@ -193,7 +194,7 @@ def dimension(tree: Expr, letters: Letters) -> Dimension | None:
             return _times(_common((variable, low, high), letters), dimension(body, letters))
         case Mul() | Dot() | Cross() | Applied() | sympy.MatMul():
             return _times(*[dimension(factor, letters) for factor in tree.args])
-        case Partial():
+        case Partial() | Slope():
             of, by = (dimension(part, letters) for part in tree.args)
             return None if by is None else _times(of, _power(by, Fraction(-1)))
         case Pow():

@@ -125,7 +125,9 @@ def components(left: Value, right: Value) -> list[Expr]:
 
 
 def _entries(operator: Expr, rows: int, columns: int) -> MatrixBase:
-    """A number times the unit matrix, or an operator, entry by entry."""
+    """A number times the unit matrix, or an operator, entry by entry; 0 is of every size."""
+    if is_zero(operator):
+        return sympy.zeros(rows, columns)
     if rows != columns:
         raise NoMeaningError("matrices of different sizes are compared")
     if has_operators(operator):
@@ -156,7 +158,26 @@ def vanishes(expression: Expr) -> bool:
     if found is False:
         return False
     # What is real at no point is not worth a long search.
-    return decide.vanishes(flat) or (found is True and decide.vanishes(_rooted(flat)))
+    again = (change(flat) for change in (_rooted, _in_whole_angles) if found is True)
+    return decide.vanishes(flat) or any(map(decide.vanishes, again))
+
+
+def _in_whole_angles(expression: Expr) -> Expr:
+    """With a letter for the smallest part of each angle, so that all angles are multiples of it."""
+    turning = expression.atoms(sympy.sin, sympy.cos)
+    angles = {f: sympy.expand(f.args[0]).as_coefficients_dict() for f in turning}
+    parts: dict[Expr, int] = {}
+    for angle in angles.values():
+        for part, count in angle.items():
+            parts[part] = sympy.ilcm(parts.get(part, 1), sympy.Rational(count).q)
+    if set(parts.values()) <= {1}:
+        return expression
+    least = {part: Dummy(real=True) * number for part, number in parts.items() if part != 1}
+    whole = {
+        f: f.func(Add(*(count * least.get(part, part) for part, count in angle.items())))
+        for f, angle in angles.items()
+    }
+    return expression.xreplace(whole)
 
 
 def _rooted(expression: Expr) -> Expr:

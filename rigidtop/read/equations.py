@@ -18,7 +18,7 @@ from typing import Any
 import sympy
 from sympy import Add, Integer, MatrixBase, Mul, Pow, Rational, Symbol
 
-from rigidtop.notation import MATRICES, NOTES, Notation
+from rigidtop.notation import NOTES, Notation, is_matrix
 from rigidtop.proof import equation as eq
 from rigidtop.proof.equation import Equation
 from rigidtop.read.macros import PACKAGES, Macros
@@ -191,7 +191,9 @@ def _sides(sides: Sequence[Any]) -> list[Any]:
 
 
 _CARRIES: Mapping[Any, int] = {
-    **dict.fromkeys((eq.Group, eq.Underbrace, eq.Rate, eq.Transposed, eq.Partial, Pow), 0),
+    **dict.fromkeys(
+        (eq.Group, eq.Underbrace, eq.Rate, eq.Slope, eq.Transposed, eq.Partial, Pow), 0
+    ),
     **dict.fromkeys((eq.SumOver, eq.VolumeIntegral), 1),
     eq.IntegralOver: 3,
     eq.Matrices: -1,
@@ -206,7 +208,7 @@ def kind(node: Any) -> str:
     if isinstance(node, Symbol):
         _, quantity = known(node)
         bold = quantity is not None and quantity.glyph.bold
-        return "matrix" if node in MATRICES else "vector" if bold else "scalar"
+        return "matrix" if is_matrix(node) else "vector" if bold else "scalar"
     if type(node) in _CARRIES:
         return kind(node.args[_CARRIES[type(node)]])
     if isinstance(node, (Add, Mul)):
@@ -408,7 +410,8 @@ def _is_of_matrices(node: n.Node, meaning: _Meaning) -> bool:
             return True
         if isinstance(x, n.Apply) and x.name in _OF_MATRICES:
             return True
-        if isinstance(x, n.Letter) and meaning.symbol(x) in MATRICES:
+        symbol = meaning.symbol(x) if isinstance(x, n.Letter) else None
+        if symbol is not None and is_matrix(symbol):
             return True
         if isinstance(x, n.Product) and any(_acts(meaning, *two) for two in pairwise(x.factors)):
             return True
@@ -440,10 +443,12 @@ _ELLIPTIC = {"K": sympy.elliptic_k, "F": sympy.elliptic_f}
 
 
 def _derivative(meaning: _Meaning, node: n.Derivative) -> Any:
-    if len(node.by) != 1 or not node.partial:
-        raise UnknownError("a derivative is by the time, or a partial one of a scalar by a letter")
+    by, *more = (meaning.of(x) for x in node.by)
     of = _differentiated(meaning, node.of)
-    by = meaning.of(node.by[0])
+    if not node.partial and kind(by) == "scalar" and {*more} <= {by}:
+        return reduce(eq.Slope, (by, *more), of)
+    if more or not node.partial:
+        raise UnknownError("a derivative is by one letter, a partial one once and of a scalar")
     if not isinstance(by, Symbol) or kind(of) != "scalar" or kind(by) != "scalar":
         raise UnknownError("a derivative is by the time, or a partial one of a scalar by a letter")
     return eq.Partial(of, by)

@@ -27,7 +27,7 @@ begins with ``<details class="lecturer">`` is not for students.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib.resources import files
@@ -56,9 +56,14 @@ from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known, Move, Scope
 from rigidtop.read import sentence as language
 from rigidtop.read.equations import equations as read
+from rigidtop.read.library import Law
+from rigidtop.read.library import found as found_law
 from rigidtop.read.tables import is_of_letters
 from rigidtop.read.tex import unread
 from rigidtop.read.walk import places
+
+Library = Callable[[], Sequence[Law]]
+"""Where laws are looked for."""
 
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z])")
 _HIDDEN = re.compile(r"\$\$|\\\[|\\begin\{|^```+ *math", re.M)
@@ -77,9 +82,13 @@ def read_page(
     name: str,
     notation: Notation,
     above: Sequence[Known],
+    library: Library = tuple,
 ) -> Text:
-    """Read a page.  `above` may be cited, besides the page's own lines."""
-    reader = _Reader(file, name, notation, list(above))
+    """Read a page.  `above` may be cited, besides the page's own lines.
+
+    A law of the `library`, which is asked for when it is needed, needs no source.
+    """
+    reader = _Reader(file, name, notation, list(above), library)
     for text, at, reader.anchor in _named(source):
         reader.take(text, at)
     reader.end()
@@ -132,6 +141,7 @@ class _Reader:
     name: str
     notation: Notation
     above: list[Known]
+    library: Library = tuple
     laws: int = 0
     """The level of the heading above that begins with "Laws", if any: there lines need no move."""
     blocks: list[Block] = field(default_factory=list)
@@ -259,10 +269,13 @@ class _Reader:
             scope = Scope.IDENTITY
             if where is not None:
                 scope = Scope.MOTION if where[1].startswith("Along") else Scope.SET
-            if not self.source:
+            source = self.source
+            if not source and (law := found_law(called, latex, self.library())):
+                source, scope = law.source, max(scope, law.scope)
+            if not source:
                 self.fault(at, f"{called!r} has no source: say in front of it whose law it is")
-            origin = pieces(self.source, self.notation)
-            return replace(made, scope=scope, called=called, source=self.source, origin=origin)
+            origin = pieces(source, self.notation)
+            return replace(made, scope=scope, called=called, source=source, origin=origin)
         context = language.Context(self.above, self.notation, self.page, self.near)
         defined = language.definition(said, context)
         if defined is not None:
@@ -373,13 +386,16 @@ def pieces(words: str, notation: Notation) -> tuple[Any, ...]:
 
 
 def read_lecture(
-    sources: Sequence[tuple[str, str]], letters: Letters, notation: Notation
+    sources: Sequence[tuple[str, str]],
+    letters: Letters,
+    notation: Notation,
+    library: Library = tuple,
 ) -> Lecture:
     """Read the pages of a lecture, (name, text) in reading order."""
     above: list[Known] = []
     texts = []
     for name, source in sources:
-        text = read_page(source, f"{name}.md", name, notation, above)
+        text = read_page(source, f"{name}.md", name, notation, above, library)
         above += _known(text)
         texts.append(text)
     return Lecture(letters, tuple(texts))

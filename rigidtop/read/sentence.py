@@ -6,8 +6,10 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Substitute A, B and C into D.           Substitute A into B.
     Differentiate A with respect to $x$.    Differentiate A in time.
     Differentiate A in time in the body frame.  (or in the space frame)
+    Differentiate A with respect to $x$ along the motion.  ($du/dx = \\dot u/\\dot x$)
     Integrate A.  (to a constant)           Integrate A from $x = x_0$.  (where t = 0)
     Integrate A from $x = x_0$ to $x = x_1$.  (A gives $\\dot x$; this the time that it takes)
+    Integrate A over $\\phi$ from $x = x_0$.  (where $\\phi = 0$)
     Hence $p$ is conserved.                 (the line above says that its rate is 0)
     Project A on $e$.                       Project A on $e$, $f$ and $g$.
     Both sides of A agree only if their components along $e$, $f$ and $g$ do.  (the same)
@@ -23,6 +25,7 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Rearrange A.   Expand A.   Collect A.   Factor A.   Rewrite A.   Simplify A.
     Exchange $k$ and $l$ in A.              (the indices of two sums)
     Solve A for $x$.                        Solve A for $x$, eliminating $y$.
+    Eliminate $x$ and $y$ from A.  (linear and with no rest: the determinant is 0)
     Take the square root of A.              Square A.
     Take the sine of A.                     (or the cosine, or the logarithm)
     Determine the sign of A.                (A's right side is < 0 or > 0)
@@ -357,7 +360,9 @@ _SHAPES = (
         )
         for said in (rf"Differentiate{_OBJECT} in time", rf"Take the rate{_of('of')}")
     ),
+    _Shape(rf"Differentiate{_OBJECT} (?:by|with respect to) {_X} along the motion", "along"),
     _Shape(rf"Differentiate{_OBJECT} (?:by|with respect to) {_X}", "differentiate"),
+    _Shape(rf"Integrate{_OBJECT} over {_L} from (?P<s>\$.+\$)", "integrate over"),
     _Shape(rf"Integrate{_OBJECT} from (?P<s>\$[^$]+\$) to (?P<e>\$[^$]+\$)", "integrate", 1),
     _Shape(rf"Integrate{_OBJECT} from (?P<s>\$.+\$)", "integrate"),
     _Shape(rf"Integrate{_OBJECT}", "integrate"),
@@ -405,6 +410,7 @@ _SHAPES = (
     _Shape(rf"Exchange \$(?P<k>[a-z])\$ and \$(?P<l>[a-z])\${_of('in')}", "exchange"),
     _Shape(rf"Solve{_OBJECT} for (?P<x>\$.+\$), (?:without|eliminating) (?P<w>\$.+\$)", "solve"),
     _Shape(rf"Solve{_OBJECT} for (?P<x>\$.+\$)", "solve"),
+    _Shape(rf"Eliminate {_X}{_of('from')}", "eliminate"),
     *(
         _Shape(rf"(?:Take|Determine) the {said}{_of('of')}", verb)
         for said, verb in (("(?:square )?root", "root"), *((each, each) for each in _FUNCTIONS))

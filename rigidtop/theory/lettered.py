@@ -81,6 +81,11 @@ def real(name: str, glyph: Glyph, meaning: str, unit: str) -> Lettered:
     return Lettered(name, Quantity(glyph, meaning, unit), real=True)
 
 
+def matrix(name: str, glyph: Glyph, meaning: str, unit: str) -> Lettered:
+    """A symbol for a square matrix, whose entries are in this unit."""
+    return Lettered(name, Quantity(glyph, meaning, unit, matrix=True))
+
+
 def in_order(*symbols: Lettered) -> tuple[Lettered, ...]:
     """The same symbols, to be printed in this order within a product."""
     return tuple(

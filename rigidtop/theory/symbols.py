@@ -37,6 +37,7 @@ class Quantity:
     glyph: Glyph
     meaning: str
     unit: str
+    matrix: bool = False
 
 
 _ROWS: dict[Symbol, Quantity] = {}

@@ -34,6 +34,7 @@ from rigidtop.proof.equation import (
     Partial,
     Printed,
     Rate,
+    Slope,
     SumOver,
     Transposed,
     Underbrace,
@@ -252,6 +253,17 @@ def _(tree: Partial, order: Order) -> lay.Node:
     shown, inside = _node(body, order), isinstance(body, Symbol)
     shown = shown if inside else lay.bracketed(shown)
     return lay.Derivative(shown, _node(by, order), True, inside)
+
+
+@_node.register
+def _(tree: Slope, order: Order) -> lay.Node:
+    of, by = tree.args
+    count = 1
+    while isinstance(of, Slope) and of.args[1] == by:
+        of, count = of.args[0], count + 1
+    shown, inside = _node(of, order), isinstance(of, Symbol)
+    shown = shown if inside else lay.bracketed(shown)
+    return lay.Derivative(shown, _node(by, order), False, inside, order=count)
 
 
 @_node.register

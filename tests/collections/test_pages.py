@@ -110,6 +110,8 @@ def test_a_wrong_unit_is_told(spring, capsys):
         ("| $m + k$ | mass | kg | |", "$m + k$ is no letter"),
         (r"| $\mathbf m$ | mass | kg | |", "a vector is bold, and what is bold is a vector"),
         ("| $x$ | way | m | coordinate |", "$x$ is 'way' already: a letter means one thing"),
+        (r"| $\mathbf m$ | axis | | frame |", "a frame is three letters in one row"),
+        (r"| $m$, $n$, $p$ | axes | | frame |", "a vector is bold, and what is bold is a vector"),
         ("| $m$ | mass | stone | positive |", "the unit 'stone' of m is not known"),
     ],
 )

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+from dataclasses import replace
+
 from sympy import Expr, MatrixBase, Symbol
 
 from rigidtop.proof import quadrature
@@ -12,14 +15,17 @@ from rigidtop.proof.moves.move import (
     Condition,
     Known,
     Move,
+    Order,
     Pair,
     Performed,
     RefusedError,
     Scope,
     name_of,
+    the_factor,
     the_one,
 )
-from rigidtop.proof.moves.pairs import all_pairs, equal_pairs
+from rigidtop.proof.moves.orders import NEGLECTED
+from rigidtop.proof.moves.pairs import all_pairs, equal_pairs, said_pairs
 from rigidtop.proof.values import TIME, Value, Vector, atoms_of, flattened
 from rigidtop.theory.rates import slope
 
@@ -30,7 +36,7 @@ def differentiate(move: Move, algebra: Algebra) -> Performed:
     made: list[Pair] = []
     for by in move.by:
         _may_differentiate(known, by, algebra)
-        for pair in equal_pairs(known, algebra):
+        for pair in _smooth_pairs(known, algebra):
             if not isinstance(pair.left, Symbol):
                 continue
             held = algebra.letters.arguments(pair.left)
@@ -42,7 +48,22 @@ def differentiate(move: Move, algebra: Algebra) -> Performed:
         raise RefusedError(
             "{} does not give a letter as a function: solve it for one", name_of(known)
         )
-    return Performed(tuple(made), known.scope)
+    return Performed(tuple(made), known.scope, order=_lowered(known, move.by))
+
+
+def _smooth_pairs(known: Known, algebra: Algebra) -> list[Pair]:
+    """The pairs that may be differentiated: also what was expanded, as its remainder is smooth."""
+    if known.order is None or known.order.small == NEGLECTED:
+        return equal_pairs(known, algebra)
+    return said_pairs(known, algebra)
+
+
+def _lowered(known: Known, by: Collection[Expr]) -> Order | None:
+    """The order of the derivative of what is left out, one less where a small letter changes."""
+    order = known.order
+    if order is None or not {*by} & {*order.letters}:
+        return order
+    return replace(order, power=order.power - 1)
 
 
 def _may_differentiate(known: Known, by: Expr, algebra: Algebra) -> None:
@@ -63,7 +84,8 @@ def _may_differentiate(known: Known, by: Expr, algebra: Algebra) -> None:
             name_of(known),
             by,
         )
-    for x in {x for e in known.equations for x in symbols_of(e)}:
+    small = () if known.order is None else known.order.letters
+    for x in {*small, *(x for e in known.equations for x in symbols_of(e))}:
         if by in algebra.letters.numbers & algebra.letters.made_of(x):
             raise RefusedError("{} is defined by {}: put its definition in first", x, by)
 
@@ -119,12 +141,26 @@ def rate(move: Move, algebra: Algebra) -> Performed:
             "{} holds where something is set, at a moment: its rate does not follow", name_of(known)
         )
     pairs = []
-    for pair in equal_pairs(known, algebra):
+    for pair in _smooth_pairs(known, algebra):
         for side in pair.sides:
             for letter in algebra.letters.functions.keys() & {*atoms_of(side)}:
                 _is_function(letter, move, algebra)
         pairs.append(Pair(algebra.rate(pair.left, frame), algebra.rate(pair.right, frame)))
-    return Performed(tuple(pairs), known.scope)
+    order = known.order
+    changing = {*(() if order is None else order.letters)} - algebra.letters.numbers
+    return Performed(tuple(pairs), known.scope, order=_lowered(known, changing))
+
+
+def along(move: Move, algebra: Algebra) -> Performed:
+    """By a letter that changes along the motion: du/dφ = u̇/φ̇."""
+    known, by = the_one(move), algebra.value(the_factor(move))
+    if known.scope is Scope.SET:
+        raise RefusedError("{} holds at a moment: its derivative does not follow", name_of(known))
+    pairs = [
+        Pair(algebra.slope(pair.left, by), algebra.slope(pair.right, by))
+        for pair in equal_pairs(known, algebra)
+    ]
+    return Performed(tuple(pairs), known.scope, divided_by(algebra.rate(by), move.where))
 
 
 def integrate(move: Move, algebra: Algebra) -> Performed:
@@ -137,6 +173,13 @@ def integrate(move: Move, algebra: Algebra) -> Performed:
     starts = tuple(Condition(e.sides[0] - e.sides[1], "start") for e in move.by)
     pairs = tuple(pair for known in move.of for pair in equal_pairs(known, algebra))
     return Performed(pairs, Scope.MOTION, starts)
+
+
+def integrate_over(move: Move, algebra: Algebra) -> Performed:
+    """Over a letter, from where it is 0."""
+    by, *starts = move.by
+    over_time = integrate(replace(move, by=tuple(starts)), algebra)
+    return replace(over_time, conditions=(Condition(by, "start"), *over_time.conditions))
 
 
 def _time(known: Known, move: Move, algebra: Algebra) -> Performed:

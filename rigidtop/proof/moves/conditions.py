@@ -11,7 +11,7 @@ from sympy.core.relational import Relational
 
 from rigidtop.proof import bounds, floats
 from rigidtop.proof.algebra import Algebra
-from rigidtop.proof.equation import Equation, IntegralOver, SumOver, VolumeIntegral
+from rigidtop.proof.equation import Equation, IntegralOver, Slope, SumOver, VolumeIntegral
 from rigidtop.proof.moves.move import Condition
 from rigidtop.proof.values import Value, flattened, vanishes
 from rigidtop.theory.trig import reduce_ratio
@@ -52,6 +52,8 @@ def _bounds_of(node: Expr, algebra: Algebra) -> Iterator[tuple[Value, str]]:
                 yield algebra.value(node.base), "≠"
         else:
             yield algebra.value(node.base), "≥" if power.is_positive else ">"
+    elif isinstance(node, Slope):
+        yield algebra.rate(algebra.value(node.args[1])), "≠"
     elif isinstance(node, sympy.log):
         yield algebra.value(node.args[0]), ">"
     elif isinstance(node, sympy.tan):

@@ -55,6 +55,11 @@ class Order:
     power: int
     together: tuple[Symbol, ...] = ()
 
+    @property
+    def letters(self) -> tuple[Symbol, ...]:
+        """What is small."""
+        return self.together or (self.small,)
+
     def counted(self, expression: Expr) -> Expr:
         """An expression with `small` before each of the letters that are small together."""
         return expression.xreplace({x: self.small * x for x in self.together})

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import sympy
-from sympy import Expr, Integer, MatrixBase, Mul, Symbol
+from sympy import Expr, Integer, MatrixBase, Mul, Pow, Symbol
 
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Dot, Equation, Printed, Rate, Underbrace
@@ -93,12 +94,13 @@ def give(equation: Equation, source: Known, given: dict[Expr, Value], letters: L
     # a letter with a positive factor, such as m r̈.
     bare = Algebra(letters)
     raw = [bare.value(side) for side in sides]
-    for i in range(len(sides) - 1):
-        left, right = raw[i], raw[i + 1]
+    neighbours = [two for sides in pairwise(raw) for two in entries(*sides)]
+    for left, right in neighbours:
         both = ((left, right), (right, left))
         for atom, other in (
             *((single_atom(side), other) for side, other in both),
-            *((_scaled_atom(side), other) for side, other in both),
+            *((_scaled_atom(side, letters), other) for side, other in both),
+            *map(_rooted, both),
         ):
             if atom is None or atom[0] in given or atom[0] in set(atoms_of(other)):
                 continue
@@ -109,7 +111,7 @@ def give(equation: Equation, source: Known, given: dict[Expr, Value], letters: L
             settle(given, atom[0], solved, letters)
             break
         else:
-            left_now, right_now = algebra.value(sides[i]), algebra.value(sides[i + 1])
+            left_now, right_now = algebra.value(left), algebra.value(right)
             if agree(left_now, right_now):
                 continue
             if _differ_by_number(left_now, right_now):
@@ -117,6 +119,28 @@ def give(equation: Equation, source: Known, given: dict[Expr, Value], letters: L
             raise RefusedError(
                 "{} gives no letter to put in: solve it for one first", name_of(source)
             )
+
+
+def _rooted(sides: tuple[Value, Value]) -> tuple[tuple[Expr, Expr] | None, Value]:
+    """What a letter that is positive is, where one side is its power; no atom where it is not."""
+    power, other = sides
+    is_power = isinstance(power, Pow) and power.base.is_Symbol and power.exp.is_number
+    if not (is_power and power.base.is_positive and isinstance(other, Expr)):
+        return None, other
+    return (power.base, Integer(1)), other ** (1 / power.exp)
+
+
+def entries(left: Value, right: Value) -> Iterator[tuple[Value, Value]]:
+    """Two sides, or the entries of two columns, of which one may be 0."""
+    columns = [side for side in (left, right) if isinstance(side, MatrixBase) and side.cols == 1]
+    one, other = (
+        columns[0] * 0 if columns and not isinstance(side, MatrixBase) and side == 0 else side
+        for side in (left, right)
+    )
+    if columns and getattr(one, "shape", None) == getattr(other, "shape", None):
+        yield from zip(one, other, strict=True)
+    else:
+        yield left, right
 
 
 def where_set(
@@ -202,11 +226,15 @@ def single_atom(value: Value) -> tuple[Expr, Expr] | None:
     return (atom, number) if is_atom and number != 0 else None
 
 
-def _scaled_atom(value: Value) -> tuple[Expr, Expr] | None:
+def _scaled_atom(value: Value, letters: Letters) -> tuple[Expr, Expr] | None:
     """The atom of a value that is one vector, or one product or rate, times what can't vanish."""
+    rates = {*letters.rates.values()}
     if isinstance(value, Vector) and len(value.terms) == 1:
         [(atom, factor)] = value.terms.items()
-    elif isinstance(value, Mul) and len(made := [f for f in value.args if f.func in _MADE]) == 1:
+    elif isinstance(value, Mul):
+        made = [f for f in value.args if f.func in _MADE or f in rates]
+        if len(made) != 1:
+            return None
         [atom], factor = made, value / made[0]
     else:
         return None

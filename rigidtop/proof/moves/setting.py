@@ -84,7 +84,7 @@ def set_to(move: Move, algebra: Algebra) -> Performed:
 def _small_stays(given: Mapping[Expr, Value], known: Known) -> None:
     """Refuse to set a letter to a number that is small in what is cited."""
     order = known.order
-    for x in () if order is None else order.together or (order.small,):
+    for x in () if order is None else order.letters:
         if x in given and given[x] != 0 and getattr(given[x], "is_number", False):
             raise RefusedError("{} is small in {}: it can't be set", x, name_of(known))
     for condition in known.conditions:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import sympy
-from sympy import Dummy, Expr, Integer, Symbol
+from sympy import Add, Dummy, Expr, Integer, Mul, Pow, Symbol
 
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation
@@ -21,18 +21,30 @@ from rigidtop.proof.moves.move import (
     RefusedError,
     Scope,
 )
-from rigidtop.proof.moves.pairs import atom_of, equal_pairs, is_operator
+from rigidtop.proof.moves.pairs import atom_of, entries, equal_pairs, is_operator, single_atom
 from rigidtop.proof.values import Vector, difference, flattened
 from rigidtop.theory.symbols import const
 from rigidtop.theory.trig import reduce_trig
 
 
 def solve(move: Move, algebra: Algebra) -> Performed:
-    """For one letter or vector, or more: linear, or the roots of a quadratic."""
+    """For one letter or vector, or more: linear, or the roots of a quadratic.
+
+    What is asked for may be a power or a product, which is one thing then.
+    """
+    whole = {x: Dummy() for x in map(algebra.value, move.by) if isinstance(x, (Pow, Mul))}
+    whole = {x: name for x, name in whole.items() if single_atom(x) is None}
+    if whole:
+        return _solved_whole(move, algebra, whole)
     unknowns = [atom_of(algebra.value(x), x) for x in move.by]
     if len(move.of) > len(unknowns):
         raise RefusedError("more equations than unknowns")
-    pairs = [p for k in move.of for p in equal_pairs(_without_const(k), algebra)]
+    pairs = [
+        Pair(*sides)
+        for known in move.of
+        for pair in equal_pairs(_without_const(known), algebra)
+        for sides in entries(*pair.sides)
+    ]
     if any(is_operator(side) for p in pairs for side in p.sides):
         raise RefusedError("a matrix equation is not solved so: multiply by what takes it away")
     scope = max(k.scope for k in move.of)
@@ -43,6 +55,54 @@ def solve(move: Move, algebra: Algebra) -> Performed:
     if len(unknowns) == 1 and len(pairs) == 1:
         return _roots(pairs[0], unknowns[0], move, scope)
     raise RefusedError("this is not linear in {}", *move.by)
+
+
+def eliminate(move: Move, algebra: Algebra) -> Performed:
+    """Of as many linear equations as letters, with no rest: their determinant vanishes.
+
+    Only where not all of the letters are 0.
+    """
+    unknowns = [atom_of(algebra.value(x), x) for x in move.by]
+    atoms = {x: Dummy() for x in unknowns}
+    parts = [
+        Pair(*sides)
+        for known in move.of
+        for pair in equal_pairs(known, algebra)
+        for sides in entries(*pair.sides)
+    ]
+    if any(is_operator(side) for pair in parts for side in pair.sides):
+        raise RefusedError("letters are eliminated from equations of numbers, or of columns")
+    rows = [row for pair in parts for row in _linear(pair, atoms) or ()]
+    if len(rows) != len(unknowns) or any(rest != 0 for _, rest in rows):
+        raise RefusedError("as many equations as letters are needed, linear and with no rest")
+    determinant = _reduced(sympy.Matrix([[row[x] for x in unknowns] for row, _ in rows]).det())
+    size = Add(*(x**2 for x in unknowns))
+    scope = max(known.scope for known in move.of)
+    return Performed((Pair(determinant, Integer(0)),), scope, divided_by(size, move.where))
+
+
+def _solved_whole(move: Move, algebra: Algebra, whole: Mapping[Expr, Symbol]) -> Performed:
+    """The same with a letter for each power or product that is asked for."""
+    back = {name: x for x, name in whole.items()}
+
+    def named(side: Expr) -> Expr:
+        flat, nodes = flattened(algebra.value(side))
+        inner = {node: x for x, node in nodes.items()}
+        return (
+            sympy.expand(flat)
+            .subs({x.xreplace(inner): y for x, y in whole.items()})
+            .xreplace(nodes)
+        )
+
+    def lettered(known: Known) -> Known:
+        made = (Equation(*map(named, e.sides), relation=e.relation) for e in known.equations)
+        return replace(known, equations=tuple(made))
+
+    by = tuple(whole.get(algebra.value(x), x) for x in move.by)
+    made = solve(replace(move, of=tuple(map(lettered, move.of)), by=by), algebra)
+    pairs = (Pair(*(x.xreplace(back) for x in pair.sides)) for pair in made.pairs)
+    conditions = (replace(c, expression=c.expression.xreplace(back)) for c in made.conditions)
+    return replace(made, pairs=tuple(pairs), conditions=tuple(conditions))
 
 
 def _without_const(known: Known) -> Known:

@@ -1,0 +1,124 @@
+"""The chapters that come with rigidtop: every line follows, and a wrong one is told."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from rigidtop.cli import main
+from rigidtop.collection.chapters import CHAPTERS, chapters
+
+SLIPS = {
+    "coupled": (
+        ("pendulums", r"V \approx -2mgl + \tfrac12mgl", r"V \approx -2mgl - \tfrac12mgl"),
+        (
+            "pendulums",
+            r"\ddot\theta_2 \approx -mgl\theta_2 + D",
+            r"\ddot\theta_2 \approx -mgl\theta_2 - D",
+        ),
+        ("modes", r"\right)^2 - D^2 = 0", r"\right)^2 + D^2 = 0"),
+        ("modes", r"\kappa = \frac gl + \frac{2D}m", r"\kappa = \frac gl + \frac Dm"),
+        ("modes", r"a_2 = -a_1", r"a_2 = a_1"),
+        ("modes", r"\eta = \tfrac12\theta_0\cos\omega_2t", r"\eta = \tfrac12\theta_0\sin\omega_2t"),
+        ("modes", r"= \theta_0\cos\frac{(\omega_2 - ", r"= \theta_0\sin\frac{(\omega_2 - "),
+        ("many", r"(\kappa_1 - \kappa_2)\mathbf w", r"(\kappa_1 + \kappa_2)\mathbf w"),
+        ("many", r"\frac{4D}m\sin^2", r"\frac{4D}m\cos^2"),
+    ),
+    "foucault": (
+        (
+            "laboratory",
+            r"\mathbf a + 2\boldsymbol\omega\times\mathbf v",
+            r"\mathbf a + \boldsymbol\omega\times\mathbf v",
+        ),
+        ("laboratory", r"\mathbf e_3\cdot\mathbf S - g", r"\mathbf e_3\cdot\mathbf S + g"),
+        ("stone", r"- 4\omega^2x \tag", r"+ 4\omega^2x \tag"),
+        ("stone", r"\tfrac13\omega gt^3", r"\tfrac16\omega gt^3"),
+        ("pendulum", r"- 2\Omega\dot x \tag", r"+ 2\Omega\dot x \tag"),
+        ("pendulum", r"X = A\cos\omega_1t", r"X = A\cos\omega_0t"),
+        ("pendulum", r"y = -A\cos\omega_1t", r"y = A\cos\omega_1t"),
+    ),
+    "kepler": (
+        ("orbit", r"= mr\dot\phi^2 - \frac k{r^2}", r"= mr\dot\phi^2 + \frac k{r^2}"),
+        ("orbit", r"= -\frac{\dot r}{r^2\dot\phi}", r"= \frac{\dot r}{r^2\dot\phi}"),
+        ("orbit", r"+ u = \frac{mk}{\ell^2} \tag", r"- u = \frac{mk}{\ell^2} \tag"),
+        ("orbit", r"\right)\cos\phi \tag", r"\right)\cos2\phi \tag"),
+        ("time", r"\eta - \varepsilon\sin\eta = nt", r"\eta - \varepsilon\cos\eta = nt"),
+        ("time", r"= -\frac k{2a}", r"= -\frac k{a}"),
+        (
+            "vector",
+            r"- \frac{\dot r}{r^2}\mathbf r\right)",
+            r"+ \frac{\dot r}{r^2}\mathbf r\right)",
+        ),
+    ),
+    "rolling": (
+        ("wheel", r"I\ddot\chi = -\mu R", r"I\ddot\chi = \mu R"),
+        ("wheel", r"\ddot\chi = \frac{mRg", r"\ddot\chi = \frac{mg"),
+        ("wheel", r"\tan\alpha < \mu_s", r"\tan\alpha > \mu_s"),
+        ("turntable", r"\tfrac72\dot", r"\tfrac75\dot"),
+        (
+            "turntable",
+            r"\mathbf v + \mathbf n\times(\mathbf",
+            r"\mathbf v - \mathbf n\times(\mathbf",
+        ),
+        ("turntable", r"\frac{49}{4\Omega^2}", r"\frac7{2\Omega^2}"),
+    ),
+}
+"""Lines of each chapter, by their pages, with what a pen may make of them."""
+
+
+def checked(folder, capsys):
+    """The lines of a folder, as `check --lines` tells them, and the exit code."""
+    code = main(["check", f"{folder}/", "--lines", "--json"])
+    return json.loads(capsys.readouterr().out), code
+
+
+@pytest.fixture(params=chapters())
+def copy(request, tmp_path):
+    """A chapter as `rigidtop new --from` copies it, with its name."""
+    folder = tmp_path / request.param
+    assert main(["new", "--from", request.param, str(folder)]) == 0
+    return folder
+
+
+def test_each_chapter_checks_without_a_gap(copy, capsys):
+    capsys.readouterr()
+    lines, code = checked(copy, capsys)
+    assert code == 0
+    assert [line for line in lines if line["verdict"] == "gap"] == []
+    assert main(["check", f"{copy}/"]) == 0
+
+
+def test_wrong_lines_are_told_with_what_the_move_gives(copy, capsys):
+    wanted = []
+    for page, right, wrong in SLIPS[copy.name]:
+        file = copy / f"{page}.md"
+        text = file.read_text("utf-8")
+        assert text.count(right) >= 1, right
+        wanted.append((file.name, text.count("\n", 0, text.index(right)) + 1))
+        file.write_text(text.replace(right, wrong, 1), "utf-8")
+    capsys.readouterr()
+    lines, code = checked(copy, capsys)
+    assert code == 1
+    told = {(line["file"], line["line"]): line for line in lines}
+    for file, line in wanted:
+        judged = told[file, line]
+        assert judged["verdict"] == "gap", (file, line)
+        assert judged["note"], (file, line)
+
+
+def test_every_chapter_has_its_slips():
+    assert {*chapters()} == {*SLIPS}
+    assert all(len(slips) >= 5 for slips in SLIPS.values())
+
+
+def test_chapters_are_listed(capsys):
+    assert main(["list", "--chapters", "--json"]) == 0
+    listed = json.loads(capsys.readouterr().out)
+    assert [each["name"] for each in listed] == sorted(p.name for p in CHAPTERS.iterdir())
+    assert main(["list", "--chapters", "3.57"]) == 2
+
+
+def test_a_chapter_that_is_not_there_is_told(tmp_path, capsys):
+    assert main(["new", "--from", "keplr", str(tmp_path / "mine")]) == 2
+    assert "no chapter 'keplr'; there are" in capsys.readouterr().err
