@@ -9,6 +9,9 @@ from sympy import MatrixBase
 
 from rigidtop.tree.nodes import Letter, Node, Number, letters
 
+START = "start"
+"""The instant at which a motion begins; the time is zero then, if nothing else is said."""
+
 TIME = Letter("t")
 """What it is at a moment is over with the scope in which that is said."""
 

@@ -11,7 +11,7 @@ from sympy import Expr, Integer, MatrixBase, Symbol
 from sympy.core.function import AppliedUndef
 
 from rigidtop.judge import worlds
-from rigidtop.judge.context import FORCED, LAW, LINEAR, PREMISE, Constraint, Context
+from rigidtop.judge.context import FORCED, LAW, LINEAR, PREMISE, START, Constraint, Context
 from rigidtop.judge.jets import (
     TIME,
     Jet,
@@ -33,7 +33,7 @@ from rigidtop.judge.meaning import (
     particles,
     plain,
 )
-from rigidtop.tree.nodes import Derivative, Letter, Negative, Rate, letters
+from rigidtop.tree.nodes import Derivative, Letter, Negative, Number, Rate, letters
 
 MULTIPLIERS = frozenset({"λ", "μ", "Λ"})
 """Letters that are multipliers where a Lagrangian is linear in them."""
@@ -153,7 +153,7 @@ def _of(constraint: Constraint, context: Context, memory: Memory) -> list[Residu
 
 def moved(expression: Expr, instant: str, context: Context, memory: Memory) -> Expr:
     """What an expression is at an instant of the context."""
-    place = context.instants.get(instant)
+    place = context.instants.get(instant, Number("0") if instant == START else None)
     time: Expr = Symbol(f"t\x1f{instant}", real=True)
     if place is not None:
         time = Meaning(context, memory).scalar(place)

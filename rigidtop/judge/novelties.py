@@ -84,9 +84,11 @@ def brings(question: Question, new: Sequence[Letter]) -> Outcome:
 
 
 def _results(question: Question, new: Sequence[Letter]) -> frozenset[Letter]:
-    """New letters that stand alone as a term, as the force in m z̈ = N − m g."""
+    """New letters that stand alone as a term, as the force in m z̈ = N − m g, or in a motion."""
     if question.at.instant:
         return frozenset()
+    if question.left in question.moving and any(right.has(TIME) for _, right in question.both):
+        return frozenset(new)
     return frozenset(x for x in new for gap in question.gaps if gap.diff(alone(x)) in (1, -1))
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import replace
 
-from rigidtop.judge.context import SETTING, Constraint, Context
+from rigidtop.judge.context import SETTING, START, Constraint, Context
 from rigidtop.judge.sides import is_setting, letters_in
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.starts import COORDINATES, START
+from rigidtop.judge.starts import COORDINATES
 from rigidtop.tree.nodes import Letter, Node, Number, Rate, mapped
 from rigidtop.tree.statement import Statement
 

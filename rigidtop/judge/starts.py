@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rigidtop.judge.context import SETTING, Constraint, Context
+from rigidtop.judge.context import SETTING, START, Constraint, Context
 from rigidtop.tree.nodes import Letter, Node, Number, Rate
-
-START = "start"
-"""The instant at which a motion begins."""
 
 COORDINATES = frozenset("xyzrsqhuldℓηξζθφψαβγδχρσ")
 _SPEEDS = frozenset("vω")

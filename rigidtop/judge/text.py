@@ -12,7 +12,7 @@ from math import inf
 from typing import Final
 
 from rigidtop.judge.ahead import explained_first
-from rigidtop.judge.context import TIME, Context, Habits
+from rigidtop.judge.context import START, TIME, Context, Habits
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS, conjugates
 from rigidtop.judge.meaning import is_component
@@ -20,7 +20,7 @@ from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.starts import COORDINATES, START, at_rest, with_energy
+from rigidtop.judge.starts import COORDINATES, at_rest, with_energy
 from rigidtop.read.cues import Cue, ends_moment
 from rigidtop.read.declared import declared
 from rigidtop.read.macros import Macro, Macros, customary, defined

@@ -24,9 +24,11 @@ from rigidtop.judge.sides import NEARLY
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import (
     Read,
+    at_one_time,
     declared_letters,
     habits_of,
     in_time,
+    instant_at,
     instants,
     is_time,
     read_text,
@@ -106,6 +108,7 @@ def _asserted(
         yield place(problem.position)[0], Unread(problem.position, problem.reason), rest
     names, moments, large = declared_letters(source), instants(read), _behind_large(read)
     moments = [each or _only_there(k, read) for k, each in enumerate(moments)]
+    moving = frozenset().union(*(context.habits.moving for context in task.contexts))
     for number, (passage, each) in enumerate(read):
         line = place(passage.start + each.position)[0]
         if isinstance(each, Unread):
@@ -120,7 +123,9 @@ def _asserted(
             at = replace(at, supposed=True)
         if large[number]:
             at = replace(at, large=True, small=False)
-        yield line, _in_letters_of(each, read, task.contexts), replace(at, closed=True)
+        said, time = at_one_time(_in_letters_of(each, read, task.contexts), moving)
+        at = replace(at, instant=at.instant if time is None else instant_at(time))
+        yield line, said, replace(at, closed=True)
 
 
 _SUPPOSE = re.compile(
