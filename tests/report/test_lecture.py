@@ -5,53 +5,29 @@ import math
 import re
 import shutil
 import subprocess
-import unicodedata
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from xml.etree import ElementTree
 
-import numpy as np
 import pypdf
 import pytest
 
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.exercises import EXERCISES
-from rigidtop.figures.catalog import FIGURES
-from rigidtop.figures.drawing import both, rendered
-from rigidtop.notation import NOTES
-from rigidtop.notation.characters import opened
-from rigidtop.proof.lecture import Lecture
-from rigidtop.proof.verdict import Verdict
-from rigidtop.proof.words import light, parts
+from rigidtop.figures.drawing import both
 from rigidtop.report import html, myst, pdf, plain, tex, typst
 from rigidtop.report.blocks import (
     Cited,
-    ClaimHead,
     Display,
     ExerciseHead,
     Figure,
-    Heading,
     Look,
     NameLine,
     Paragraph,
-    Results,
-    Subhead,
     Table,
-    Unit,
-    is_number,
 )
-from rigidtop.report.claims import claim_blocks
-from rigidtop.report.handout import CONDITIONS, Parts, summary
-from rigidtop.report.lecture import FORMATS, LETTERS, Edition, fragment, lecture, record, sheet
-from rigidtop.report.map import columns, heights, reduced
+from rigidtop.report.lecture import FORMATS, Edition, fragment, lecture, record, sheet
 from rigidtop.report.numbers import written
-from rigidtop.report.symbols import symbols_used
-from rigidtop.report.ways import law_blocks, running
-from rigidtop.report.wording import LETTER
-from rigidtop.theory import symbols as s
-from rigidtop.theory.lettered import known
-from rigidtop.typeset.nodes import Node
-from rigidtop.typeset.text import text
 
 from ..web.conftest import chrome
 
@@ -78,10 +54,6 @@ def document(whole):
 @pytest.fixture(scope="module")
 def pictures(whole):
     return whole[1]
-
-
-def test_every_figure_has_its_section():
-    assert {each.section for each in FIGURES} - {""} <= {page.section for page in PAGES}
 
 
 def test_every_claim_has_every_fragment(judged):
@@ -116,17 +88,12 @@ def test_html_of_all_pages(document, drawn):
     assert {title.level for title in titles} == {2}
 
 
-@pytest.fixture(scope="module", params=["latexmk", "typst"])
-def paper(request, document, drawn):
-    """The PDF of the lecture, both ways."""
-    latexmk = shutil.which("latexmk")
-    if request.param == "latexmk" and not latexmk:
-        pytest.skip("needs latexmk")
-    kind, by, way = ("pdf", tex, latexmk) if request.param == "latexmk" else ("svg", typst, None)
-    names = {name: f"figures/{name}.{kind}" for name in drawn}
-    files = {names[name]: each[kind == "svg"] for name, each in drawn.items()}
-    source = by.write(document, names)
-    return pdf.by_latexmk(way, source, files) if way else pdf.by_typst(source, files)
+@pytest.fixture(scope="module")
+def paper(document, drawn):
+    """The PDF of the lecture by Typst; by LaTeX the first command of the README makes it."""
+    names = {name: f"figures/{name}.svg" for name in drawn}
+    files = {names[name]: svg for name, (_, svg) in drawn.items()}
+    return pdf.by_typst(typst.write(document, names), files)
 
 
 @pytest.fixture(scope="module")
@@ -139,148 +106,6 @@ def words(paper):
     return done.stdout.decode().split("\f")[:-1]
 
 
-def _starts(paper):
-    """The page on which each section begins, by its title."""
-    reader = pypdf.PdfReader(io.BytesIO(paper))
-    return {
-        entry.title: reader.get_destination_page_number(entry)
-        for entry in reader.outline
-        if not isinstance(entry, list)
-    }
-
-
-@pytest.mark.skipif(not shutil.which("pdftoppm"), reason="needs pdftoppm")
-def test_pages_have_no_white_gaps(paper, tmp_path):
-    (tmp_path / "lecture.pdf").write_bytes(paper)
-    command = ["pdftoppm", "-r", "36", "-gray", "lecture.pdf", "page"]
-    subprocess.run(command, cwd=tmp_path, check=True, timeout=120)
-    reader = pypdf.PdfReader(io.BytesIO(paper))
-    # By Typst, which is there for those without LaTeX, pages are looser.
-    columns = "TeX" in reader.metadata.get("/Creator", "")
-    starts = _starts(paper)
-    solved, results = starts["Solutions of the exercises"], starts["Summary of results"]
-    # By LaTeX the contents have a page of their own.
-    ends = {
-        -1 + columns,
-        solved - 1,
-        results - 1,
-        starts["What rests on what"] - 1,
-        len(reader.pages) - 1,
-    }
-    for k, path in enumerate(sorted(tmp_path.glob("page-*.pgm"))):
-        _, size, _, dots = path.read_bytes().split(b"\n", 3)
-        width, height = map(int, size.split())
-        page = np.frombuffer(dots, np.uint8).reshape(height, width)
-        two = columns and k >= solved
-        for part in (page[:, : width // 2], page[:, width // 2 :]) if two else (page,):
-            rows = np.flatnonzero((part < 250).any(axis=1)) / height
-            body = rows[rows < (0.94 if columns else 0.905)]
-            assert np.diff(body).max() < 0.06, f"inside page {k + 1}"
-            if k not in ends:
-                least = 0.06 if columns else 0.22
-                assert body[-1] > (0.94 if columns else 0.905) - least, f"beneath page {k + 1}"
-    assert len(reader.pages) < (56 if columns else 60)
-
-
-PLACES = ((16, 25), (25, 159), (163, 203))
-COLUMNS = ((9, 17), (17, 100.5), (101, 109.5), (109.5, 193))
-"""What words stand in on A4, from left to right (mm): text with its margins, and two columns."""
-
-
-def _boxes(made):
-    """The words of each page: their boxes as an array of rows x, y, x, y in points, their letters.
-
-    Words of combining accents are left out, which lie on their letter, and so are braces.
-    """
-    done = subprocess.run(
-        ["pdftotext", "-bbox", "-", "-"], input=made, capture_output=True, check=True, timeout=120
-    )
-    # Not quite XML: letters of a formula may be control characters.
-    for page in done.stdout.decode().split("<page ")[1:]:
-        words = [
-            (*map(float, sides), word)
-            for *sides, word in re.findall(WORD, page)
-            if re.search(r"\w", word) and not any(map(unicodedata.combining, word))
-        ]
-        yield np.array([word[:4] for word in words]).reshape(-1, 4), [word[4] for word in words]
-
-
-WORD = r'<word xMin="(.+?)" yMin="(.+?)" xMax="(.+?)" yMax="(.+?)">(.+?)</word>'
-
-
-def _overlaps(boxes):
-    """The pairs of boxes that share a line and more than a fifth of their height along it."""
-    left, top, right, bottom = (boxes[:, k] for k in range(4))
-    height = np.minimum.outer(bottom - top, bottom - top)
-    along = np.minimum.outer(right, right) - np.maximum.outer(left, left)
-    apart = np.abs(np.subtract.outer(top + bottom, top + bottom)) / 2
-    return np.argwhere(np.triu((along > 0.2 * height) & (apart < 0.3 * height), 1))
-
-
-def _beyond(boxes, places):
-    """Which boxes stand in none of the places."""
-    low, high = 72 / 25.4 * np.array(places).T
-    inside = (low - 2 < boxes[:, :1]) & (boxes[:, 2:3] < high + 2)
-    return ~inside.any(axis=1)
-
-
-@pytest.mark.skipif(not shutil.which("pdftotext"), reason="needs pdftotext")
-def test_no_word_lies_on_another_or_beyond_its_column(paper, document):
-    starts = _starts(paper)
-    solved, letters = starts["Solutions of the exercises"], starts[LETTERS.title]
-    tables = [b for b in document.blocks if _is(b, "numbers")]
-    captions = [b.caption for b in document.blocks if isinstance(b, Figure)]
-    told = set(" ".join([plain.fragment(tables), *captions]).split())
-    lying, beyond, seen = [], [], 0
-    for k, (boxes, words) in enumerate(_boxes(paper)):
-        lying += [(k + 1, words[i], words[j]) for i, j in _overlaps(boxes)]
-        out = _beyond(boxes, COLUMNS if k >= solved else PLACES)
-        if k >= solved:  # floats over both columns stand above them
-            wide = [boxes[i, 3] for i in np.flatnonzero(out) if words[i] in told]
-            out &= _beyond(boxes, [(17, 193)]) | (boxes[:, 3] > max(wide, default=0))
-        # The list of letters has three columns in LaTeX.
-        beyond += [(k + 1, words[i]) for i in np.flatnonzero(out) if k < letters]
-        seen += len(words)
-    assert (lying, beyond) == ([], [])
-    assert seen > 15_000
-
-
-@pytest.mark.parametrize("paper", ["latexmk"], indirect=True)
-def test_no_table_stands_above_the_head_of_its_solution(words, document):
-    """The first that is said of a solution is its title; those of its tables come later."""
-    titles = {b.number: b.title for b in document.blocks if isinstance(b, ExerciseHead)}
-    told = re.findall(r"^Solution (\d+)\. (\w+)", "\n".join(words), re.MULTILINE)
-    first = dict(reversed(told))
-    assert first == {str(k): re.match(r"\w+", title)[0] for k, title in titles.items()}
-    assert len(told) > len(first)
-
-
-def test_no_heading_ends_a_page(words, document):
-    kinds = (Heading, ExerciseHead, Subhead)
-    titles = {
-        b.words if isinstance(b, Subhead) else b.title
-        for b in document.blocks
-        if isinstance(b, kinds)
-    }
-    titles = {_letters(title) for title in titles} - {""}
-    seen = 0
-    for page in words[1:]:  # behind the contents
-        # A title has no full stop; the end of a sentence may be a title's words.
-        lines = [
-            _letters(x) if x[-1] != "." else "." for x in map(str.strip, page.splitlines()) if x
-        ]
-        seen += sum(line in titles for line in lines)
-        # The number of a page has no letters.
-        assert [line for line in lines if line][-1] not in titles
-    assert seen > 50
-
-
-def _letters(line):
-    """The letters of a line, without the word that begins the title of an exercise."""
-    line = re.sub(r"^exercise\b", "", line.lower())
-    return "".join(re.findall(r"[a-z]+", line))
-
-
 def test_a_pdf_says_what_it_is(paper, document):
     about = pypdf.PdfReader(io.BytesIO(paper)).metadata
     assert (about.title, about.author) == (document.title, "rigidtop")
@@ -290,31 +115,6 @@ def test_a_pdf_says_what_it_is(paper, document):
     assert re.split("[,;] ", words) == list(document.keywords)
 
 
-@pytest.mark.skipif(not shutil.which("latexmk"), reason="needs latexmk")
-def test_no_line_of_the_record_leaves_the_page(recorded, pictures, tmp_path):
-    (tmp_path / "figures").mkdir()
-    one = rendered(pictures[0].drawing, "pdf", pictures[0].given)
-    (tmp_path / "figures" / "one.pdf").write_bytes(one)
-    figures = {b.name: "figures/one.pdf" for b in recorded.blocks if isinstance(b, Figure)}
-    (tmp_path / "record.tex").write_text(tex.write(recorded, figures), encoding="utf-8")
-    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "record.tex"]
-    subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=120)
-    log = (tmp_path / "record.log").read_text(encoding="utf-8", errors="replace")
-    wide = [float(points) for points in re.findall(r"Overfull \\hbox \(([\d.]+)pt", log)]
-    # Of 444 points of a line and of 77 points of margin, small ones.
-    assert max(wide, default=0) < 12
-
-
-@pytest.mark.parametrize("paper", ["latexmk"], indirect=True)
-def test_no_letter_is_too_small(paper):
-    """What follows an exercise is as large again as what stands before it."""
-    sizes: set[float] = set()
-    for page in pypdf.PdfReader(io.BytesIO(paper)).pages[1::9]:
-        page.extract_text(visitor_text=lambda *about: sizes.add(about[-1]))
-    assert min(sizes) > 4.9
-
-
-@pytest.mark.parametrize("paper", ["typst"], indirect=True)
 def test_typst_of_all_pages(words):
     whole = "\n".join(words)
     for number in range(33, 58):
@@ -326,55 +126,6 @@ def test_typst_of_all_pages(words):
 
 
 # --- Exercises ------------------------------------------------------------------------------------
-
-
-def test_titles_of_tables_begin_with_a_capital(recorded):
-    titles = [block.title for block in recorded.blocks if _is(block, "numbers")]
-    assert titles
-    assert [title for title in titles if title[0].islower()] == []
-
-
-MOMENTS = {s.lambda1, s.lambda2, s.lambda3}
-
-
-def test_moments_are_made_of_masses_and_lengths(recorded):
-    units: dict[str, dict[str, str]] = {}
-    for block in recorded.blocks:
-        for row in block.rows if isinstance(block, Display) else ():
-            left, right = row.equation.sides[0], row.equation.sides[-1]
-            made_of = {x: known(x)[1] for x in right.free_symbols}
-            found = {str(x): quantity.unit for x, quantity in made_of.items() if quantity}
-            if left in MOMENTS and "kg" in found.values():
-                units[text(row.equation)] = found
-    assert len(units) > 5
-    made_of = {unit for found in units.values() for unit in found.values()}
-    assert made_of - {""} == {"kg", "m"}  # an index has no unit
-
-
-@pytest.mark.parametrize("name", ["principal-axes", "cone-on-its-tip", "wobble-to-spin"])
-def test_symbols_of_their_own_are_explained(judged, solutions, name):
-    everything = [
-        *(j for _, row in judged for j in row),
-        *(j for x in solutions for j in x.judgements),
-    ]
-    judgement = next(judgement for judgement in everything if judgement.claim.name == name)
-    used = symbols_used(claim_blocks(judgement))
-    # Of any two vectors there are components, which need no words.
-    free = {f"{x}_{k}" for x in "uv" for k in (1, 2, 3)} | {"d3r"}
-    assert {x.name for x in used if known(x)[1] is None} <= free
-
-
-def test_every_exercise_stands_once_in_its_section(recorded):
-    titles = [block.title for block in recorded.blocks if isinstance(block, ExerciseHead)]
-    assert sorted(titles) == sorted(exercise.title for exercise in EXERCISES)
-
-
-def test_a_claim_of_the_lecture_is_named_and_not_repeated(recorded, solutions):
-    heads = [block.name for block in recorded.blocks if isinstance(block, ClaimHead)]
-    assert len(set(heads)) == len(heads)
-    assert {j.claim.name for solution in solutions for j in solution.judgements} <= set(heads)
-    shown = [plain.rich(b.content) for b in recorded.blocks if isinstance(b, Paragraph)]
-    assert any(words.startswith("We have shown: “") for words in shown)
 
 
 def test_the_record_has_every_line_once(recorded, document):
@@ -434,71 +185,6 @@ def test_every_claim_of_the_notes_has_its_mark(document, judged):
     assert marks["3.54"].note == ()
 
 
-def test_a_false_statement_stands_with_its_numbers_and_its_right_form(document):
-    said = [plain.rich(b.content) for b in document.blocks if isinstance(b, Paragraph)]
-    (words,) = [each for each in said if each.startswith("The notes say: In the space frame all")]
-    assert "This is false: at λ₁ = 1, λ₂ = 2" in words
-    assert "ψ = 0, I_xz ≠ 0 would be 0 ≠ 0" in words
-    assert any("ψ = 0, r′ = Or would be 1 = −2.253 in component 1" in x for x in said)
-    assert any(
-        "(3.47) as the notes print it would be ¼√3 = −½√3 in row 1, column 2" in x for x in said
-    )
-    place = said.index(words)
-    (row,) = next(
-        b.rows
-        for b in document.blocks[document.blocks.index(_paragraph(document, place)) :]
-        if isinstance(b, Display)
-    )
-    assert text(row.equation) == "I_xz = (λ₃ − λ₁) sin θ cos θ cos φ"
-
-
-def _paragraph(document, place):
-    return [block for block in document.blocks if isinstance(block, Paragraph)][place]
-
-
-def _formulas(tree):
-    """What a block says in letters, but in its displays."""
-    if isinstance(tree, str):
-        yield from (part for formal, part in parts(tree) if formal)
-    elif isinstance(tree, tuple):
-        for each in tree:
-            yield from _formulas(each)
-    elif isinstance(tree, Node):
-        yield text(tree)
-    elif is_dataclass(tree) and not isinstance(tree, (Unit, Cited, Display, Results)):
-        for field in fields(tree):
-            yield from _formulas(getattr(tree, field.name))
-
-
-def _letters_of(tree):
-    found = [each for words in _formulas(tree) for each in LETTER.finditer(opened(words))]
-    return {light(x["letter"]) + x["primes"] for x in found if x["letter"] and x[0][0].isalpha()}
-
-
-def test_every_letter_is_listed_or_introduced(document):
-    (symbols,) = [block for block in document.blocks if _is(block, "symbols")]
-    said = _letters_of(tuple(b for b in document.blocks if b is not symbols))
-    listed = _letters_of(tuple(node for node, *_ in symbols.rows))
-    # Coordinates, any vector and any axis, indices and the imaginary unit.
-    introduced = {*"xyzwnilπΣᵀ", "m₁", "m₂", "m₃"}
-    assert introduced < said
-    known = listed | introduced
-    others = {re.sub("[\u0307\u0308]", "", x.replace("_i", "ᵢ")) for x in said - known}
-    assert {re.sub("ₖ|_k", "₁", x) for x in others - known} <= known
-
-
-def test_the_laws_that_pages_cite_are_printed(document, lines):
-    rows = [row for block in document.blocks if isinstance(block, Display) for row in block.rows]
-    laws = {"1.20", "2.84", "2.85", "3.12", "3.26", "3.32"}
-    assert laws <= {row.tag for row in rows}
-    cited = {p.anchor for row in rows for p in row.reason if isinstance(p, Cited)}
-    assert "claim-1-20" in cited
-    alone = law_blocks(lines, {"opening"})
-    own = {row.tag for block in alone if isinstance(block, Display) for row in block.rows}
-    assert laws & own == {"3.12"}
-    assert law_blocks(lines, {"laws"}) == []
-
-
 def test_figures_are_numbered_in_order_and_cited(document):
     figures = [block for block in document.blocks if isinstance(block, Figure)]
     assert [figure.number for figure in figures] == list(range(1, len(figures) + 1))
@@ -507,23 +193,6 @@ def test_figures_are_numbered_in_order_and_cited(document):
     cited = {piece.anchor for c in contents for piece in c if isinstance(piece, Cited)}
     spoken = {f.anchor for f in figures if not f.name.startswith("exercise-")} - {"figure-map"}
     assert spoken <= cited
-
-
-def test_the_map_has_every_number_and_nothing_in_its_arrows_way(pictures, lines):
-    shown = next(each for each in pictures if each.name == "map").drawing.draw()
-    words = {each.get_text() for each in shown.axes[0].texts}
-    assert {f"(3.{n})" for n in range(33, 58)} <= words
-    made, arrows = columns(reduced(lines.map))
-    at = {cell: k for k, column in enumerate(made) for cell in column}
-    assert all(at[end] == at[start] + 1 for start, end in arrows)
-    boxes = [cell for cell in at if not cell[1]]
-    assert sorted(name for name, _ in boxes) == sorted(lines.map)
-    room = {cell: 0.8 if cell[1] else 1.6 for cell in at}
-    down = heights(made, arrows, room)
-    for column in made:
-        order = sorted(column, key=down.__getitem__)
-        for upper, lower in pairwise(order):
-            assert down[lower] - down[upper] >= (room[lower] + room[upper]) / 2 - 1e-9
 
 
 def test_numbers_are_written_as_people_do():
@@ -620,87 +289,9 @@ def projector(document, drawn, tmp_path_factory):
     driver.quit()
 
 
-SLIDES = """const all = document.createElement("style");
-const each = ".shown .slide";
-all.textContent = `${each} { display: flow-root } ${each}:has(figure) { display: flex }`;
-document.head.append(all);
-const size = (math) => parseFloat(getComputedStyle(math).fontSize);
-const beside = (node) => node.scrollWidth - node.clientWidth;
-const right = (node) => node.getBoundingClientRect().right;
-const out = (node) => right(node) - right(node.parentNode);
-return [...document.querySelectorAll(".slide")].map((slide) => [
-  slide.scrollHeight - slide.clientHeight,
-  Math.max(beside(slide), ...[...slide.querySelectorAll(".eq")].map(beside),
-    ...[...slide.querySelectorAll("figcaption")].map(out)),
-  Math.min(...[...slide.querySelectorAll(".eq:not(.recalled) math")].map(size)),
-  slide.textContent,
-])"""
-ALONE = """return slides.flatMap((slide) => [...slide.querySelectorAll(".why")].filter((why) => {
-  const [, meant] = /^(?!.*\\. ).*\\b(it|both(?! sides))\\b/.exec(why.textContent) ?? [];
-  const before = [...slide.querySelectorAll(".eq")].filter(
-    (eq) => why.compareDocumentPosition(eq) & Node.DOCUMENT_POSITION_PRECEDING);
-  return meant && before.length < (meant === "both" ? 2 : 1);
-}).map((why) => why.textContent))"""
 PRESS = "dispatchEvent(new KeyboardEvent('keydown', { key: arguments[0] }))"
 SHOWN_NOW = """const now = document.querySelector(".slide.now");
 return [now.textContent, now.querySelectorAll(".covered").length, location.hash]"""
-
-
-def test_no_slide_is_longer_than_the_screen(projector):
-    slides = projector.execute_script(SLIDES)
-    assert len(slides) > 300
-    for over, beside, letters, words in slides:
-        assert over <= 0, words
-        assert beside <= 1, words
-        assert letters is None or letters >= 28, words
-        assert "as above" not in words
-    # What a sentence means by "it" and "both" is on its slide, but where a line fills that.
-    assert len(projector.execute_script(ALONE)) <= 1
-    # Whose notes they are is said.
-    assert "Wüster" in slides[0][3]
-
-
-MARK = """const row = document.querySelector(".slide.now .row:has(.seal)");
-const middle = (node) => {
-  const { y, height } = node.getBoundingClientRect();
-  return y + height / 2;
-};
-const signs = [...row.querySelectorAll(".eq mo")].filter(
-  (mo) => mo.textContent === "=" && mo.getClientRects().length);
-return middle(row.querySelector(".seal")) - middle(signs.at(-1))"""
-
-
-def test_a_mark_stands_at_the_sign_of_the_last_line(projector):
-    """Also where a brace hangs beneath that."""
-    for place in ("3-37", "3-49", "3-57"):
-        projector.execute_script(f"location.replace('#{place}')")
-        assert abs(projector.execute_script(MARK)) < 2
-
-
-ASTRAY = """const [words] = arguments;
-[...document.querySelectorAll(".tools button")].find((each) => each.textContent === words).click();
-const every = [...document.querySelectorAll(".row .seal")];
-const seals = every.filter((seal) => seal.getClientRects().length);
-return [seals.length, seals.filter((seal) => {
-  const { y, height } = seal.getBoundingClientRect();
-  const { top, bottom } = seal.closest(".row").querySelector(".eq").getBoundingClientRect();
-  return y + height / 2 < top || y + height / 2 > bottom;
-}).length]"""
-
-
-def test_a_mark_stays_beside_its_equation_in_every_view(document, drawn, tmp_path):
-    path = tmp_path / "lecture.html"
-    svg = {name: page.decode() for name, (_, page) in drawn.items()}
-    path.write_text(html.write(document, svg), "utf-8")
-    driver = chrome()
-    try:
-        driver.get(path.as_uri())
-        for view in ("Results only", "Steps", "Steps and reasons"):
-            marks, astray = driver.execute_script(ASTRAY, view)
-            assert marks > 80, view
-            assert astray == 0, view
-    finally:
-        driver.quit()
 
 
 def test_the_arrow_keys_uncover_lines(projector):
@@ -723,19 +314,6 @@ def test_the_arrow_keys_uncover_lines(projector):
     assert shown("ArrowLeft")[:2] == [words, 0]
 
 
-@pytest.mark.parametrize(
-    ("words", "cited"),
-    [
-        ("see [the figure](#figure-torque).", "figure 6"),
-        ("[The figure](#figure-torque) shows it.", "Figure 6"),
-    ],
-)
-def test_a_figure_is_cited_as_the_sentence_has_it(words, cited):
-    figures = {"torque": Figure("torque", "A caption.", "A picture.", 6)}
-    [piece] = [each for each in running([words], figures=figures) if isinstance(each, Cited)]
-    assert piece.words == cited
-
-
 def test_a_lecture_of_ones_own_looks(document):
     look = Look("letter", "% mine\n", "scrartcl")
     own = replace(document, look=look, title="Kreisel", byline="A. Lecturer, PHY 305")
@@ -744,21 +322,3 @@ def test_a_lecture_of_ones_own_looks(document):
     assert re.search(r"% mine\s+\\begin\{document\}", source)
     assert "A. Lecturer, PHY 305" in source
     assert "pdftitle={Kreisel}" in source
-
-
-def test_a_matrix_keeps_its_columns_in_the_summary(document):
-    (results,) = (block for block in document.blocks if isinstance(block, Results))
-    (row,) = (row for row in results.rows if row[0] == "3.47")
-    (rows,) = re.findall(r"\\begin{bmatrix}(.*?)\\end{bmatrix}", tex.tex_block(Results((row,))))
-    assert [line.count("&") for line in rows.split(r"\\")] == [2, 2, 2]
-    assert len({number for number, *_ in results.rows}) == len(results.rows)
-
-
-def test_the_summary_speaks_of_conditions_where_a_mark_has_some(judged):
-    parts = Parts(Lecture(), NOTES, {}, {})
-    for page, judgements in judged:
-        marks = {each.verdict for each in judgements if is_number(each.claim.name)}
-        said = [
-            block for block in summary([(page, judgements)], parts) if isinstance(block, Paragraph)
-        ]
-        assert said == [Paragraph((CONDITIONS,))] * (Verdict.ASSUMING in marks), page.section
