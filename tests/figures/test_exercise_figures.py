@@ -89,6 +89,26 @@ def test_the_bearing_moves_what_it_holds(chosen):
     assert held.torque == pytest.approx(np.cross(r, pushes).sum(axis=0), abs=1e-6 * scale)
 
 
+@pytest.mark.parametrize("chosen", STICKS)
+def test_two_masses_as_they_are_drawn(axes, chosen):
+    held = two_masses.stick(*chosen)
+    two_masses.draw_two_masses(axes, held)
+    alpha = chosen[4]
+    view = two_masses.VIEW
+    # L leans to the other side than the first mass, at right angles to the stick.
+    across = np.array([0.0, -math.cos(alpha), math.sin(alpha)])
+    assert tip(axes, r"$\mathbf{L}$") == pytest.approx(on_paper(view, 1.15 * across))
+    assert tip(axes, r"$\mathbf{N}$") == pytest.approx(on_paper(view, [1.0, 0.0, 0.0]))
+    side = -math.copysign(0.55, chosen[0] * chosen[2] - chosen[1] * chosen[3])
+    assert tip(axes, r"$\mathbf{F}$") == pytest.approx(on_paper(view, [0.0, side, 0.0]))
+    [stick] = lines(axes, "_stick")
+    longer = max(chosen[2:4])
+    for end, arm in zip(stick, (chosen[2], -chosen[3]), strict=True):
+        place = arm / longer * np.array([0.0, math.sin(alpha), math.cos(alpha)])
+        assert end == pytest.approx(on_paper(view, place))
+    assert view([1.0, 0.0, 0.0])[2] > 0  # N looks at the reader
+
+
 # --- The Earth -----------------------------------------------------------------------------------
 
 EARTH = {parameter.name: parameter.default for parameter in polar_motion.POLAR_MOTION.parameters}

@@ -85,6 +85,18 @@ def last(laws: str, page: str) -> tuple[str, list[str]]:
 
 
 FOLLOWS = {
+    "a vector is set": (
+        r"push: \mathbf F = m\mathbf v",
+        r"Set $\mathbf v = 0$ at all times in the push => \mathbf F = 0",
+        "v = 0",
+    ),
+    "what was set for a vector is inherited": (
+        r"""push: \mathbf F = m\mathbf v
+        power: f = \mathbf F\cdot\mathbf v""",
+        r"""Set $\mathbf v = 0$ at all times in the push => \mathbf F = 0
+        Put it into the power => f = 0""",
+        "v = 0",
+    ),
     "one unit vector along another, with its length": (
         r"""spin: s = \mathbf e\cdot\mathbf p
         length: \mathbf e\cdot\mathbf e = 1
@@ -93,30 +105,127 @@ FOLLOWS = {
         r"f = \mathbf n\cdot\mathbf p + a",
         "e − n = 0",
     ),
+    "differentiated by a letter that nothing ties": (
+        r"""spring: \mathcal L = \tfrac12m\dot x^2 - \tfrac12kx^2
+        equal springs: k = c""",
+        r"Differentiate the spring by $k$ => \frac{\partial\mathcal L}{\partial k} = -\tfrac12x^2",
+        "",
+    ),
+    "differentiated by two letters": (
+        r"spring: \mathcal L = \tfrac12m\dot x^2 + \tfrac12m\dot y^2",
+        r"Differentiate the spring by $\dot x$ and $\dot y$ => "
+        r"\frac{\partial\mathcal L}{\partial\dot x} = m\dot x, \quad"
+        r"\frac{\partial\mathcal L}{\partial\dot y} = m\dot y",
+        "",
+    ),
+    "a fraction is brought in": (
+        "difference: y = x - 2",
+        r"Rewrite the difference => y = \frac{x^2 - 4}{x + 2}",
+        "2 + x ≠ 0",
+    ),
+    "an expansion divides": (
+        r"fraction: y = \frac a{v + x}",
+        r"Expand the fraction to first order in $x$ => y \approx \frac av - \frac{ax}{v^2}",
+        "v ≠ 0",
+    ),
+    "the order of an expansion is told": (
+        r"sine: y = \sin x",
+        r"Expand the sine to first order in $x$ => y \approx x",
+        "x small, with an error of order O(x²)",
+    ),
+    "a logarithm of what is kept": (
+        r"logarithm: y = \ln(v + x)",
+        r"Expand the logarithm to first order in $x$ => y \approx \ln v + \frac xv",
+        "v > 0",
+    ),
+    "a small ratio with a prefactor of its own letters": (
+        r"root: y = \frac{kh}2(1 - \sqrt{1 - 4\kappa})",
+        r"""Call the small one => \varepsilon = \frac{mg}{kh}
+        Expand the root to first order in $\kappa$ => y \approx kh\kappa""",
+        "κ small",
+    ),
+    "terms whose size is not known are neglected": (
+        r"sum: y = mx + s",
+        r"Neglect $s$ in the sum, for large $m$ => y \approx mx",
+        "s/(mx) ≪ 1",
+    ),
     "a solution of the second order": (
         r"~ drop: \ddot x = g",
         r"Integrate the drop from $x = h$ and $\dot x = a$ => x = h + at + \tfrac12gt^2",
         "ẋ − a = 0 at the start",
+    ),
+    "a swing": (
+        r"~ swing: \ddot y = -\omega^2y",
+        r"Integrate the swing from $y = 0$ and $\dot y = a$ => y = \frac a\omega\sin\omega t",
+        "y = 0 at the start",
+    ),
+    "two equations cited apart": (
+        r"""~ first: \dot x = \omega y
+        ~ second: \dot y = -\omega x""",
+        r"Integrate the first and the second from $x = 0$ and $y = a$ => "
+        r"x = a\sin\omega t, \quad y = a\cos\omega t",
+        "y − a = 0 at the start",
     ),
     "a solution as far as its pole": (
         r"~ growth: \dot x = kx^2",
         r"Integrate the growth from $x = b$ => x = \frac b{1 - kbt}",
         "1 − bkt > 0",
     ),
+    "an integral solved for one letter": (
+        r"~ power: \dot T = -kr\dot r",
+        r"Integrate the power from $T = 0$ and $r = a$ => T = \tfrac12k(a^2 - r^2)",
+        "T = 0 at the start",
+    ),
     "a time by a primitive that nobody has listed": (
         r"~ fall: \dot x = -k(a^2 + x^2)",
         r"Integrate the fall from $x = a$ to $x = 0$ => t = \frac\pi{4ka}",
         "x − a = 0 at the start",
+    ),
+    "a time that stays an integral": (
+        r"~ speed: \dot x = \sqrt{2a(\cos x - \cos b)}",
+        r"Integrate the speed from $x = 0$ to $x = b$ => "
+        r"t = \int_0^bdx\,\frac1{\sqrt{2a}\sqrt{\cos x - \cos b}}",
+        "x = 0 at the start",
+    ),
+    "a root with its condition": (
+        r"square: (u - a)^2 = b^2",
+        r"Solve the square for $u$, for $u > a$ => u = a + b",
+        "u − a > 0",
     ),
     "a momentum that is constant, solved for a rate": (
         r"~ momentum: s = mr^2\dot\phi = \text{const}",
         r"Solve the momentum for $\dot\phi$ => \dot\phi = \frac s{mr^2}",
         "r ≠ 0",
     ),
+    "a root of a square": (
+        r"square: w^2 = (u - v)^2",
+        r"Take the root of the square, for $w > 0$ and $u > v$ => w = u - v",
+        "u − v > 0",
+    ),
     "a root under a condition": (
         r"root: y = \sqrt{a^2 - a^2\cos^2\theta}",
         r"Rewrite the root, for $\sin\theta > 0$ => y = a\sin\theta",
         "sin θ > 0",
+    ),
+    "nested roots": (
+        r"root: y = \sqrt{a + b + 2\sqrt{ab}}",
+        r"Rewrite the root => y = \sqrt a + \sqrt b",
+        "",
+    ),
+    "logarithms that exist": (
+        r"logarithms: y = \ln u - \ln v",
+        r"Rewrite the logarithms => y = \ln\frac uv",
+        "u > 0",
+    ),
+    "large numbers cancel": (
+        r"difference: y = u((10^8 + x)^2 - 10^{16} - 2\cdot10^8x)",
+        "Rewrite the difference => y = ux^2",
+        "",
+    ),
+    "a factor that is no small ratio": (
+        r"product: 997x = 1994y",
+        "Rewrite the product => x = 2y",
+        "",
     ),
     "a factor that is a root": (
         r"product: \sqrt3x = \sqrt{12}y",
@@ -128,15 +237,32 @@ FOLLOWS = {
         r"Solve the energy for $\dot x$, for $\dot x > 0$ => \dot x = \sqrt{\frac{2f - kx^2}m}",
         "ẋ > 0",
     ),
+    "an integral with the time in it": (
+        r"~ growth: \frac{\dot y}y = \omega",
+        r"Integrate the growth from $y = a$ => \ln y = \omega t + \ln a",
+        "y − a = 0 at the start",
+    ),
     "an inequality turned round": (
         "bound: u > v",
         "Multiply the bound by $-2$ => -2u < -2v",
         "",
     ),
+    "a tangent, as far as a quarter turn": (
+        r"~ push: \dot u = \omega(1 + u^2)",
+        r"Integrate the push from $u = 0$ => u = \tan\omega t",
+        "½π − ωt > 0",
+    ),
     "a root squared": (
         r"root: \sqrt u = v",
         "Square the root => u = v^2",
         "v ≥ 0",
+    ),
+    "a start that is set": (
+        r"""momentum: s = mr^2\dot\phi
+        ~ rest: \dot s = 0""",
+        r"Set $r = a$ and $\dot\phi = \omega$ at the start in the momentum, with the rest => "
+        r"s = ma^2\omega",
+        "φ̇ − ω = 0 at the start",
     ),
 }
 
