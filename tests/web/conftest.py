@@ -238,13 +238,3 @@ def wishes(live):
 
     yield media
     media()
-
-
-@pytest.fixture
-def phone(live):
-    live.cdp("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=2,
-             mobile=True)  # fmt: skip
-    live.cdp("Emulation.setTouchEmulationEnabled", enabled=True)
-    yield live
-    live.cdp("Emulation.setTouchEmulationEnabled", enabled=False)
-    live.cdp("Emulation.clearDeviceMetricsOverride")
