@@ -1,52 +1,10 @@
 """The benchmark measures what it says: right answers, ratios, and packages that are missing."""
 
-from pathlib import Path
-
 import motions
 import pytest
 import rows
 
 from rigidtop.motion import equations
-
-ROWS = [
-    rows.Row("walk", "exact", 2e-3, 1000, 1e-15),
-    rows.Row("walk", "other", 8e-3, 1000, 1e-12, "5 run, scaled"),
-    rows.Row("walk", "absent", None, 1000, None, "absent is not installed"),
-    rows.Row("run", "only", 4.2e-7),
-]
-
-
-def test_table():
-    assert rows.table(ROWS) == (
-        "walk\n"
-        "  exact                              2 ms      2 µs each        1 ×  error 1e-15 rad\n"
-        "  other                              8 ms      8 µs each        4 ×  error 1e-12 rad"
-        "  (5 run, scaled)\n"
-        "  absent                       absent is not installed\n"
-        "\n"
-        "run\n"
-        "  only                             420 ns                       1 ×"
-    )
-
-
-KINDS = [
-    rows.Row("fly", "exact", 2e-3, 1000, 1e-15, kind="up"),
-    rows.Row("fly", "heyoka", 4e-3, 1000, 1e-12, kind="up"),
-    rows.Row("fly", "exact", 3e-3, 1000, 1e-15, kind="down"),
-    rows.Row("fly", "heyoka", 2e-3, 1000, 1e-12, kind="down"),
-]
-
-
-def test_kinds_are_compared_and_the_worst_comes_first():
-    assert rows.table(KINDS) == (
-        "fly: exact, heyoka; over heyoka\n"
-        "  down                        3 ms      2 ms   1.50 ×  errors 1e-15, 1e-12 rad\n"
-        "  up                          2 ms      4 ms   0.50 ×  errors 1e-15, 1e-12 rad"
-    )
-    assert rows.markdown([*ROWS, *KINDS]).splitlines()[2:] == [
-        "| down | 1.50 × | 1e-15, 1e-12 |",
-        "| up | 0.50 × | 1e-15, 1e-12 |",
-    ]
 
 
 def test_rows_are_medians_of_rounds():
@@ -85,52 +43,3 @@ def test_every_kind_arrives_at_the_truth(kind):
     for way, bound in ((exact, most), (heyoka, 1e-10)):
         if way.go is not None:
             assert way.error(way.go()) < bound
-
-
-@pytest.fixture
-def reference(monkeypatch):
-    """The spinors of a top or a body after 10 s, with 25 digits."""
-    monkeypatch.syspath_prepend(str(Path(__file__).parent / "motion" / "reference"))
-    import taylor
-
-    numbers = taylor.mpmath_numbers(25)
-    real = numbers.real
-
-    def top(theta, theta_dot, phi_dot, psi_dot):
-        start = taylor.Top(
-            lambda1=real(1),
-            lambda3=real(0.5),
-            weight=real(9.81) * real(0.5),
-            theta=real(theta),
-            theta_dot=real(theta_dot),
-            phi=real(0),
-            phi_dot=real(phi_dot),
-            psi=real(0),
-            omega3=real(psi_dot) + real(phi_dot) * numbers.cos(real(theta)),
-        )
-        [state] = taylor.follow_top(numbers, start, [real(10)])
-        return complex(state.alpha), complex(state.beta)
-
-    def body(moments, omega):
-        start = taylor.Body(*map(real, (*moments, *omega, 1, 0, 0, 0)))
-        [state] = taylor.follow_body(numbers, start, [real(10)])
-        return complex(state.alpha), complex(state.beta)
-
-    return lambda kind: body(kind.moments, kind.omega) if kind.moments else top(*kind.start)
-
-
-@pytest.mark.parametrize(
-    "kind", [motions.EXAMPLE, *motions.KINDS[4::8]], ids=lambda kind: kind.name
-)
-def test_the_truth_of_a_kind_is_that_of_the_reference(kind, reference):
-    alpha, beta = reference(kind)
-    expected = alpha.real, -beta.imag, beta.real, alpha.imag
-    assert kind.truth == pytest.approx(expected, abs=1e-15)
-
-
-@pytest.mark.parametrize(("asked", "shown"), [([], rows.table), (["--markdown"], rows.markdown)])
-def test_what_is_printed(asked, shown, monkeypatch, capsys):
-    monkeypatch.setattr(motions, "measure", lambda *_: KINDS)
-    monkeypatch.setattr("sys.argv", ["motions.py", *asked])
-    motions.main()
-    assert capsys.readouterr().out == f"{shown(KINDS)}\n"

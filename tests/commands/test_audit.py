@@ -40,18 +40,6 @@ def notes(tmp_path_factory):
     return out.getvalue(), page
 
 
-def test_the_notes_are_told_line_by_line(notes):
-    shown, _ = notes
-    rows = re.findall(r"^ *(\d+)  \((3\.\d+)\) +(\w+)", shown, re.M)
-    assert [number for _, number, _ in rows] == [f"3.{n}" for n in range(33, 58)]
-    lines = [int(line) for line, _, _ in rows]
-    assert lines == sorted(lines)
-    assert {number for _, number, verdict in rows if verdict == "convention"} == {"3.46", "3.47"}
-    summary = "25 numbered equations: 15 proved, 8 assuming, 2 convention"
-    assert summary in " ".join(shown.split())
-    assert "not in the file" not in shown
-
-
 def test_a_slip_fails_and_is_refuted_in_its_line(capsys, file):
     assert main(["audit", file(EULER.format("+") + MATRIX)]) == 1
     shown = capsys.readouterr().out
@@ -86,44 +74,6 @@ def test_numbers_that_the_file_leaves_out_are_told(capsys, file):
     assert "; not in the file: (3.37), (3.38)," in " ".join(capsys.readouterr().out.split())
 
 
-def test_what_was_not_taken_as_a_formula_is_told(capsys, file, tmp_path, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "300")  # the summary in one line
-    name = file(MATRIX + "\n$$T = 0\n")
-    assert main(["audit", name]) == 0
-    shown = capsys.readouterr().out
-    assert re.search(r"^1 +unread +\S.* 3$", shown, re.M)
-    assert "1 numbered equation: 1 convention; 1 other place could not be read\n" in shown
-    assert main(["audit", name, "--json"]) == 0
-    row = json.loads(capsys.readouterr().out)[-1]
-    assert (row["verdict"], row["line"], row["passed"]) == ("unread", 3, None)
-    _, source = annotated(name, tmp_path)
-    assert "<li>line 3: unread: " in source
-
-
-OTHERS = (
-    "Here $\\hat{\\mathbf z} = \\sin\\theta\\mathbf e_3$, and $\\Omega_s \\approx L/\\lambda_3$.\n"
-    "Of $\\theta$ nothing is said.\n\n$$\\tau_b = \\pi/\\Omega_b$$\n\n"
-)
-
-
-def test_formulas_without_a_number_are_held_against_the_file(capsys, file, tmp_path, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "300")  # the summary in one line
-    name = file(OTHERS + MATRIX)
-    assert main(["audit", name]) == 1  # of τ_b the lecture says what it is
-    told = (
-        "1 numbered equation: 1 convention; 3 other formulas: 1 compared with what stands above, "
-        "1 wrong; 2 say something new"
-    )
-    assert told in capsys.readouterr().out
-    assert main(["audit", name, "--json"]) == 1
-    rows = json.loads(capsys.readouterr().out)
-    assert [(row["line"], row["passed"]) for row in rows if not row["name"]] == [
-        *((1, None), (1, None), (4, False))
-    ]
-    _, source = annotated(name, tmp_path)
-    assert told in source
-
-
 @pytest.mark.parametrize(
     ("written", "number"),
     [("$$T = V \\tag{12}$$", "12"), ("$$T = V \\tag{A.3}$$", "A.3"), ("$T = V$ (7)", "7")],
@@ -132,21 +82,6 @@ def test_a_number_of_no_claim_is_told_with_its_line(written, number, capsys, fil
     assert main(["audit", file(f"{written}\n"), "--json"]) == 0
     (row,) = json.loads(capsys.readouterr().out)
     assert (row["name"], row["line"], row["verdict"]) == (number, 1, "definition")
-
-
-def test_what_is_open_is_told_by_reason_and_is_no_failure(capsys, file):
-    lines = "".join(
-        f"$$\\oops = {n} \\tag{{{n}}}$$\n\n$$a_{n} = b_{n} c_{n}$$\n\n" for n in range(9)
-    )
-    assert main(["audit", file(lines)]) == 0
-    shown = " ".join(capsys.readouterr().out.split())
-    assert (
-        "9 unread the command \\oops is not known (0), (1), (2), (3), (4), (5) and 3 more" in shown
-    )
-    assert shown.endswith(
-        "18 formulas: none could be compared with what stands above; 9 say something new; "
-        "9 could not be read"
-    )
 
 
 PENDULA = r"""
@@ -188,15 +123,6 @@ def test_the_wrong_sign_of_a_double_pendulum_is_found_from_its_own_lagrangian(ca
         "           line 5: L = T − m₁ g y₁ − m₂ g y₂\n"
         "           and 3 more above\n\n"
     )
-
-
-def test_what_is_wrong_is_marked_on_the_page(file, tmp_path):
-    code, source = annotated(file(PENDULA.replace("SIGN", "+")), tmp_path)
-    assert code == 1
-    page = Page(source)
-    assert page.classes.count("amiss") == 1
-    assert page.text.count("✗ false") == 2
-    assert "(7)" in page.text
 
 
 def test_projects_and_notebooks_are_audited(tmp_path, capsys):
@@ -342,38 +268,6 @@ def annotated(path, tmp_path):
     return code, out.read_text("utf-8")
 
 
-def test_the_page_has_every_equation_with_its_verdict(notes):
-    shown, path = notes
-    assert str(path) in shown
-    source = path.read_text("utf-8")
-    page = Page(source)
-    assert page.classes.count("audited") == 25
-    assert "amiss" not in page.classes
-    for number in range(33, 58):
-        assert f"(3.{number})" in page.text
-    # A badge is a word, so that colour is not needed.
-    assert page.text.count("proved") >= 15
-    assert page.text.count("convention") >= 2
-    assert "Without torque" in page.text
-    assert "![]" not in page.text
-    assert "$" not in page.text
-    assert set(page.links) <= {f"#{name}" for name in page.ids}
-    assert not re.search(r"https?://(?!www\.w3\.org)|<link|<script|@import|url\(", source)
-
-
-def test_what_is_amiss_is_marked_and_listed(tmp_path, file):
-    code, source = annotated(
-        file("# Own\n\n" + EULER.format("+") + "\n$T = \\oops$ (3.44)\n"), tmp_path
-    )
-    assert code == 1
-    page = Page(source)
-    assert page.classes.count("amiss") == 2
-    assert page.text.count("✗ false") == 2  # in the list on top, and beside the equation
-    assert "? unread" in page.text
-    assert "T = \\oops" in page.text
-    assert page.links[1:] == ["#eq-1", "#eq-2"]
-
-
 HOSTILE = [
     "<script>alert(1)</script>",
     "<img src=x onerror=alert(1)>",
@@ -406,33 +300,6 @@ def test_a_page_of_a_stranger_does_nothing(text, tmp_path, file):
     assert not re.search("[\x00-\x08\x0b-\x1f\ue000\ue001\u202e]", source)
 
 
-def test_markdown_is_shown_simply(tmp_path, file):
-    text = (
-        "# A *fine* title\n## Below\n"
-        "A **bold** word,\n<u>under</u>lined, 2*3*4 and 1<sup>st</sup>.\n\n"
-        "- one $M_1$ ,\n- two\n  lines\n\n[words](https://evil.example) "
-        "$\\omega_k$ and $\\mathbf{L}(t)$ & $(3 \\times 3)$\n\n$$\\qux$$\n\n" + MATRIX
-    )
-    code, source = annotated(file(text), tmp_path)
-    assert code == 0
-    assert "<h2>A <i>fine</i> title</h2>\n<h3>Below</h3>" in source
-    assert "<b>bold</b> word, <u>under</u>lined, 2*3*4 and 1<sup>st</sup>." in source
-    assert "</math>,</li><li>two   lines</li>" in source
-    assert "<msub><mi>ω</mi><mi>k</mi></msub></math> and <math" in source
-    assert 'alttext="(3 \\times 3)"' in source
-    assert "<code>\\qux</code>" in source
-
-
-def test_a_long_label_leaves_room_for_the_notes(capsys, tmp_path):
-    path = tmp_path / "long.tex"
-    label = "chapter-ten-and-the-action-of-a-top"
-    path.write_text(rf"\begin{{equation}} p = mv + q \label{{{label}}} \end{{equation}}", "utf-8")
-    main(["audit", str(path)])
-    table = capsys.readouterr().out.split("\n\n")[0]
-    assert f"({label[:23]}…)" in table
-    assert label not in table
-
-
 def test_no_file_that_was_read_is_written_over(tmp_path, capsys):
     main_file, chapter, link = (tmp_path / name for name in ("main.tex", "ch.tex", "link.html"))
     main_file.write_text("\\documentclass{article}\n\\input{ch}\n$$E = T$$\n", "utf-8")
@@ -463,9 +330,3 @@ def test_a_file_that_is_taken_in_and_is_not_there_is_told(tmp_path, capsys):
     assert told[1]["note"] == "\\input{gone} is not read: there is no such file in the folder"
     assert main(["read", str(file)]) == 0
     assert "unread: \\input{gone} is not read" in capsys.readouterr().out
-
-
-def test_the_number_of_a_framed_formula_stands_beside_it_alone(file, tmp_path):
-    name = file("$$\\mathbf{r}' = O^T\\mathbf{r} \\tag{3.46}$$\n")
-    _, source = annotated(name, tmp_path)
-    assert re.sub(r"<[^>]+>", "", source[source.index('class="notes"') :]).count("(3.46)") == 1

@@ -2,13 +2,11 @@
 
 import argparse
 import json
-from dataclasses import replace
 
 import pytest
 
 from rigidtop.commands import certify
 from rigidtop.errors import RigidtopError
-from rigidtop.motion import certify as motions
 from rigidtop.motion import equations
 
 EXAMPLE = ["top", "--theta-dot", "0.1", "--phi-dot", "1", "--psi-dot", "40", "--time", "1"]
@@ -22,18 +20,6 @@ def run(*arguments):
     return certify.run(parser.parse_args(arguments))
 
 
-def test_table(capsys, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "100")
-    assert run(*EXAMPLE) == 0
-    shown = capsys.readouterr().out
-    asked = "21 times from 0 to 1 s, rtol 1e-12"
-    assert shown.startswith(f"One motion by Euler's equations and in 4 other ways, {asked}\n")
-    for word in ("exact", "Lagrange", "Routh", "Hamilton", "p_φ"):
-        assert word in shown
-    assert shown.endswith("the ways agree: no difference exceeds its bound\n")
-    assert max(map(len, shown.splitlines())) <= 100
-
-
 def test_json(capsys):
     assert run("--json", *FREE) == 0
     certificate = json.loads(capsys.readouterr().out)
@@ -42,25 +28,6 @@ def test_json(capsys):
     assert list(certificate["bounds"]) == list(certificate["differences"])
     assert set(certificate["drifts"]["exact"]) == {"energy", "p_phi", "L"}
     assert list(certificate["left_out"]) == ["Routh"]
-
-
-def test_a_time_that_is_too_long_to_tell(capsys, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "300")  # each sentence in one line
-    right = motions.certify
-
-    def late(*arguments, **options):
-        certificate = right(*arguments, **options)
-        return replace(
-            certificate, differences={**certificate.differences, "exact": 4.0}, reach=9.0
-        )
-
-    monkeypatch.setattr(motions, "certify", late)
-    assert run(*FREE) == 1
-    last = capsys.readouterr().out.splitlines()[-1]
-    assert last.startswith("NOT DECIDED: the attitudes differ by 4")
-    assert last.endswith("take a shorter one")
-    assert run("--json", *FREE) == 1
-    assert json.loads(capsys.readouterr().out)["undecided"] is True
 
 
 def test_exit_code_of_a_disagreement(capsys, monkeypatch):

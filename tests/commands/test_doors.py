@@ -61,13 +61,6 @@ def test_a_test_case_for_each_formula(bob, capsys):
     assert failed == "line 7"
 
 
-def test_every_format_has_what_json_has(bob, capsys):
-    assert main(["audit", bob, "--json"]) == 1
-    wrong = [x["line"] for x in json.loads(capsys.readouterr().out) if x["passed"] is False]
-    assert wrong == [7]
-    assert [f"line={x}," in told(capsys, bob, "github") for x in wrong] == [True]
-
-
 def test_several_files_are_told_one_by_one(bob, tmp_path, capsys):
     (tmp_path / "README.md").write_text("No formulas.", "utf-8")
     (tmp_path / "right.md").write_text(BOB.replace("g\\sin\\theta.", "-g\\sin\\theta."), "utf-8")

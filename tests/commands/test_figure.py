@@ -6,13 +6,10 @@ import re
 
 import pytest
 
-from rigidtop.cli import main
 from rigidtop.commands import figure
 from rigidtop.errors import RigidtopError
 from rigidtop.figures.catalog import FIGURES
-from rigidtop.figures.drawing import KINDS, rendered
-from rigidtop.proof.words import unmarked
-from rigidtop.terminal.table import columns
+from rigidtop.figures.drawing import rendered
 
 
 def run(*arguments):
@@ -25,36 +22,6 @@ def run(*arguments):
 @pytest.fixture(autouse=True)
 def in_an_empty_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-
-
-@pytest.mark.parametrize("width", [80, 120])
-def test_list_names_every_figure(width, capsys, monkeypatch):
-    monkeypatch.setenv("COLUMNS", str(width))
-    assert run() == 0
-    shown = capsys.readouterr().out
-    assert max(map(columns, shown.splitlines())) <= width
-    of_each = re.split(r"^(?=\S)", shown, flags=re.MULTILINE)[1:]
-    assert len(of_each) == len(FIGURES)
-    assert "$" not in shown
-    for drawing, block in zip(FIGURES, of_each, strict=True):
-        name, words = block.split(maxsplit=1)
-        assert name == drawing.name
-        assert " ".join(words.split()).startswith(unmarked(drawing.title))
-        below = block.splitlines()[1:]
-        defaults = " ".join(line.strip() for line in below if re.match(r" {4}\S", line))
-        assert defaults.split() == [f"{p.name}={p.default:.4g}" for p in drawing.parameters]
-
-
-def test_list_as_json(capsys):
-    assert run("--json") == 0
-    records = json.loads(capsys.readouterr().out)
-    assert [record["name"] for record in records] == [drawing.name for drawing in FIGURES]
-    assert not any("$" in record["title"] for record in records)
-    assert {kind for record in records for kind in record["kinds"]} <= {*KINDS, "gif", "mp4"}
-    [paths] = [record for record in records if record["name"] == "paths"]
-    assert {"name": "omega3", "default": 40.0, "unit": "rad/s", "about": "ω₃"} in paths[
-        "parameters"
-    ]
 
 
 @pytest.mark.parametrize(
@@ -135,10 +102,3 @@ def test_a_figure_in_another_notation(tmp_path, monkeypatch, capsys):
     assert caption.startswith("torque.svg\nThe torque K = R_CM × μg of the weight")
     with pytest.raises(RigidtopError, match=r"--notation goes with .* not with a .gif"):
         run("rolling-cones", "--notation", "landau", "-o", "cones.gif")
-
-
-def test_the_angles_of_a_figure_are_those_of_its_notation(tmp_path, monkeypatch, capsys):
-    monkeypatch.chdir(tmp_path)
-    for asked in ([], ["--set", "phi=60deg"]):
-        assert main(["figure", "euler-angles", *asked, "--notation", "goldstein"]) == 0
-        assert "here 60°, 45° and 45°" in capsys.readouterr().out

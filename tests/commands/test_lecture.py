@@ -42,26 +42,6 @@ def test_every_kind_of_file_is_written(written):
     assert {"chapters/1.tex", "myst/myst.yml", "myst/section-1.md"} <= names
 
 
-def test_title_author_course_paper_and_preamble_are_ones_own(written):
-    source = (written / "lecture.tex").read_text("utf-8")
-    assert r"\bfseries\raggedright Pendulums at \$5:" in source
-    assert r"\dot{\theta}$\par}" in source
-    assert "A. Lecturer, PHY 1" in source
-    assert "letterpaper" in source
-    assert "% my own preamble" in source
-    assert "{4 points}" in source
-    page = (written / "lecture.html").read_text("utf-8")
-    assert '<html lang="en" class="lecture"' in page
-    assert '<p class="byline">A. Lecturer, PHY 1</p>' in page
-    assert "<title>Pendulums at $5: θ̇</title>" in page
-
-
-def test_a_verdict_is_a_mark_with_its_word(written):
-    page = (written / "lecture.html").read_text("utf-8")
-    assert re.search(r'<span class="seal proved" title="proved">.*proved: </span>', page)
-    assert "data-tex=" in page
-
-
 def test_every_link_of_a_course_site_leads_somewhere(written):
     pages = {path.stem: path.read_text("utf-8") for path in (written / "myst").rglob("*.md")}
     whole = "\n".join(pages.values())

@@ -9,7 +9,6 @@ import rigidtop as rt
 from rigidtop.cli import main
 
 RAISED = ["--theta", "0.3", "--omega3", "60", "--tip", "0.1", "--mu", "0.3"]
-FALLS = ["--theta", "0.3", "--omega3", "5", "--mu", "0.2", "--slip", "0", "0", "--time", "3"]
 
 
 def simulate(capsys, *options):
@@ -42,24 +41,6 @@ def test_json_is_the_motion(capsys):
     assert found["events"] == [{"time": run.events[0].time, "kind": "standstill"}]
     assert found["ended"] is None
     assert found["budget"] < 1e-8
-
-
-def test_table_ends_with_the_motion_and_events_go_to_stderr(capsys, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "300")  # all columns in one table
-    code, out, err = simulate(capsys, *FALLS, "--samples", "31")
-    assert code == 0
-    *rows, blank, dissipated, budget = out.splitlines()
-    assert rows[0].split()[:2] == ["t/s", "theta/rad"]
-    assert blank == ""
-    assert dissipated.startswith("dissipated by friction 0.")
-    assert budget.startswith("relative gap in the budget of the energy: ")
-    kinds = [line.split()[0] for line in err.splitlines()]
-    assert kinds == ["slip", "fall", "the"]
-    assert err.splitlines()[-1] == f"the motion ends there: {len(rows) - 2} of 31 rows"
-    code, out, _ = simulate(capsys, *FALLS, "--samples", "31", "--json")
-    found = json.loads(out)
-    assert found["ended"] == "fall"
-    assert len(found["columns"]["t/s"]) == len(rows) - 2
 
 
 def test_a_smooth_table_has_the_closed_form(capsys):

@@ -2,12 +2,10 @@
 
 import json
 import math
-import re
 
 import pytest
 
 from rigidtop.cli import main
-from rigidtop.web.presets import PRESETS
 
 
 def first(path):
@@ -57,23 +55,6 @@ def test_the_second_moment_follows_the_first(tmp_path, capsys):
     assert main(["web", "heavy-top", "--set", "lambda2=1.2", "-o", str(path)]) == 0
     values = first(path)["setup"]["values"]
     assert (values["lambda1"], values["lambda2"]) == (1.3, 1.2)
-
-
-def test_help_names_every_preset_and_number(capsys):
-    with pytest.raises(SystemExit):
-        main(["web", "--help"])
-    said = capsys.readouterr().out
-    for kind, presets in PRESETS.items():
-        made = presets()
-        assert f"  {kind}: {', '.join(p.name for p in made)}\n" in said
-        for name in made[0].setup.values:
-            assert re.search(rf"\b{name}\b", said), name
-
-
-def test_the_file_is_named_after_the_page(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    assert main(["web", "free", "--preset", "flip"]) == 0
-    assert first(tmp_path / "free.html")["name"] == "flip"
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,5 @@
 """Every claim of the notes gets the verdict that physics expects, computed and with numbers."""
 
-import re
 from collections import Counter
 from dataclasses import replace
 
@@ -10,9 +9,8 @@ import sympy
 
 from rigidtop.derivations import PAGES
 from rigidtop.derivations.euler_angles import page as euler_angles
-from rigidtop.proof.page import Check, Correction, Definition, Measure, Step
+from rigidtop.proof.page import Check, Correction, Definition, Step
 from rigidtop.proof.verdict import Finding, Verdict, judge
-from rigidtop.proof.words import unmarked
 from rigidtop.theory import symbols as s
 
 SECTIONS = {
@@ -86,30 +84,6 @@ def test_verdict(judgements, name):
     assert judgements[name].verdict == expected
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_passes(judgements, name):
-    assert (judgements[name].passed, judgements[name].problem) == (True, "")
-
-
-def test_what_is_not_proved_says_why(judgements):
-    for judged in judgements.values():
-        findings = judged.findings()
-        unstated = [a for f in findings for a in f.assumptions if not a.assumption.stated]
-        refuted = [f for f in findings if f.counterexample is not None]
-        if judged.verdict is Verdict.ASSUMING:
-            assert all(len(a.assumption.words) > 10 for a in unstated)
-            assert len(unstated) >= 1
-        if judged.verdict in (Verdict.FALSE, Verdict.CONVENTION):
-            assert len(refuted) >= 1
-        else:
-            assert refuted == []
-
-
-def test_every_claim_gives_its_reason_in_a_sentence(judgements):
-    for judged in judgements.values():
-        assert re.fullmatch(r"\S.{15,700}[.)]", judged.claim.reason), judged.claim.name
-
-
 def test_every_printed_number_is_on_one_claim_once(judgements):
     tags = Counter()
     for name, judged in judgements.items():
@@ -126,24 +100,6 @@ def test_every_printed_number_is_on_one_claim_once(judgements):
             printed = isinstance(item, (Step, Definition)) or item.check.printed
             tags[tag] += printed
     assert tags == dict.fromkeys(NUMBERS, 1)
-
-
-def test_measures_pass_with_room_to_spare(judgements):
-    measures = {
-        unmarked(item.what): item
-        for judged in judgements.values()
-        for item in judged.items
-        if isinstance(item, Measure)
-    }
-    assert len(measures) == 25
-    bound = "angle between L and ω, released with ω along e₃"
-    for what, measure in measures.items():
-        assert measure.passed, what
-        assert measure.error <= (1.0 if what == bound else 0.6) * measure.tolerance, what
-    assert measures["θ held over 100 turns at Ω₋ (rad)"].tolerance <= 1e-9
-    assert measures["θ held over 100 turns at Ω₊ (rad)"].tolerance <= 1e-9
-    assert measures["ω(t) on the body cone, prolate, 50 s (rad/s)"].tolerance <= 1e-10
-    assert measures["drift of energy over 100 s, relative"].tolerance <= 1e-9
 
 
 # --- false, and at odds with a definition ------------------------------------------------------
@@ -259,23 +215,6 @@ def test_upright_every_precession_is_steady(judgements):
     assert np.sin(angle) * quadratic == 0  # (3.54) holds
     assert quadratic == pytest.approx(float(found.right))
     assert abs(quadratic) > 0.5  # and (3.57) does not
-
-
-@pytest.mark.parametrize(
-    ("claim", "condition", "words"),
-    [
-        ("3.40", sympy.Gt(s.Omega_b, 0), "or a flat one with ω₃ < 0"),
-        ("space-cone", sympy.Ne(s.omega1**2 + s.omega2**2, 0), "ω is not along e₃"),
-        ("free-fall", sympy.Eq(s.F_1, 0), "no air"),
-        ("axis-stability", sympy.Eq(s.damping, 0), "no friction inside"),
-    ],
-)
-def test_conditions_in_words(judgements, claim, condition, words):
-    assert any(
-        tested.assumption.condition == condition and words in unmarked(tested.assumption.words)
-        for finding in judgements[claim].findings()
-        for tested in finding.assumptions
-    )
 
 
 def test_three_equal_moments_leave_every_rotation_as_it_is(judgements):

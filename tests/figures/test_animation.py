@@ -16,10 +16,6 @@ from rigidtop.figures.catalog import FIGURES, named
 MOVING = [drawing.name for drawing in FIGURES if drawing.animate]
 
 
-def test_what_moves():
-    assert MOVING == ["rolling-cones", "top"]
-
-
 @pytest.mark.parametrize("name", MOVING)
 def test_gif_has_its_frames_and_they_differ(name):
     calls = []
@@ -48,11 +44,6 @@ def test_a_turn_of_the_cones_ends_where_it_began():
         tips.append([text.xy for each in film.canvas.axes for text in each.texts])
     assert np.array(tips[0]) == pytest.approx(np.array(tips[2]), abs=1e-9)
     assert np.abs(np.array(tips[0]) - np.array(tips[1])).max() > 0.3
-
-
-def test_settings_change_the_film():
-    one, other = (animated(named("top"), "gif", given, frames=2) for given in ({}, {"theta": 0.5}))
-    assert one != other
 
 
 def test_what_does_not_move():

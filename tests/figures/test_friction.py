@@ -101,14 +101,6 @@ def test_the_bands_add_up_to_what_the_spin_has_lost(risen, again):
     assert heat[800] == pytest.approx(work, rel=1e-5)
 
 
-def test_the_mark_is_where_the_exercise_finds_it(risen, again):
-    [(then, angle)] = line(risen[0], "_until")
-    assert math.radians(angle) == pytest.approx(0.25)
-    before = brentq(lambda x: float(again([x]).theta[0]) - 0.25, then - 1e-3, then + 1e-3)
-    assert then == pytest.approx(before, abs=1e-8)
-    assert again(np.linspace(0, then - 1e-3, 2000)).theta.min() > 0.25  # the first time
-
-
 @pytest.mark.parametrize(
     ("given", "words"),
     [
@@ -137,12 +129,6 @@ def test_other_fates(given, words, monkeypatch):
 def test_no_rise(given, message):
     with pytest.raises(rt.RigidtopError, match=message):
         unmarked(RISING.caption(**RISING.values(given)))
-
-
-def test_the_caption_says_how_it_starts():
-    """φ̇ is the slow root of λ₁ cos θ φ̇² − λ₃ω₃φ̇ + Mg(R − r₀) about the centre of mass."""
-    slow = min(np.roots([4e-5 * math.cos(0.5), -2.5e-5 * 200, 0.1 * 9.81 * 0.02]))
-    assert f"θ̇ = 0, φ̇ = {style.said(slow)} rad/s" in unmarked(RISING.caption(**RISING.values()))
 
 
 # --- Waking --------------------------------------------------------------------------------------

@@ -83,15 +83,12 @@ class Top:
 
 
 class Free:
-    """A body without torque; with λ₂ = λ₁ on its cone, from ω₂ = 0."""
+    """A symmetric body without torque."""
 
-    def __init__(self, rng, cone=False, symmetric=True):
+    def __init__(self, rng):
         self.l = np.array([rng.uniform(1, 2), rng.uniform(1, 2), rng.uniform(0.8, 1.8)])
+        self.l[1] = self.l[0]
         self.w = np.array([rng.uniform(-2, 2) for _ in range(3)])
-        if symmetric:
-            self.l[1] = self.l[0]
-        self.start, self.cone = rng.uniform(0.2, 2), cone
-        self.size = rng.uniform(0.5, 2)
 
     def flow(self, w):
         a, b, c = self.l
@@ -101,12 +98,7 @@ class Free:
 
     def values(self, t=0.0):
         frequency = (self.l[0] - self.l[2]) * self.w[2] / self.l[0]
-        now = self.start + t
-        if self.cone:
-            w = np.array([self.size * math.cos(frequency * now),
-                          -self.size * math.sin(frequency * now), self.w[2]])  # fmt: skip
-        else:
-            w = self.w + self.flow(self.w) * t
+        w = self.w + self.flow(self.w) * t
         wd = self.flow(w)
         wdd = (self.flow(w + STEP * wd) - self.flow(w - STEP * wd)) / (2 * STEP)
         L = self.l * w
@@ -116,8 +108,7 @@ class Free:
         made |= {f"omega{k + 1}ddot": wdd[k] for k in range(2)}
         made |= {f"L{k + 1}": L[k] for k in range(3)}
         return made | {
-            "Omega_b": frequency, "t": now, "omega_0": self.size, "omega_vec": w, "L_vec": L,
-            "T": w @ L / 2,
+            "Omega_b": frequency, "t": t, "omega_vec": w, "L_vec": L, "T": w @ L / 2,
         }  # fmt: skip
 
 
@@ -163,8 +154,6 @@ def motions(start, goal, count=8):
         "3.46": Components,
         "3.52": Picture,
         "3.37": Free,
-        "3.38": lambda rng: Free(rng, cone=True),
-        "3.39": lambda rng: Free(rng, cone=True),
         "3.57": lambda rng: Top(rng, steady=True),
     }.get(goal, Top)
     return [make(rng) for _ in range(count)]

@@ -19,8 +19,3 @@ def test_the_wrong_line_is_named_and_what_is_right_passes(ends, body):
     named = [found.first_wrong.line] if found.first_wrong else []
     assert named == wrong, found.summary
     assert found.passed == (not wrong), found.summary
-
-
-def test_half_of_them_are_wrong():
-    assert len(ANSWERS) == 60
-    assert sum("✗" in body for _, body in ANSWERS) >= 30

@@ -143,21 +143,6 @@ Set $\dot\phi = 0$ and $\theta = \theta_i$ at the start in it => p_\phi = p_\psi
 """,
         "this changes after the start",
     ),
-    "a rate where sums were subtracted": (
-        r"""
-Subtract $\cos\theta$ times (3.56) from (3.55) =>
-  0 = \lambda_1\ddot\phi\sin^2\theta + 2\lambda_1\dot\phi\dot\theta\sin\theta\cos\theta + \dot
-  p_\psi\cos\theta - p_\psi\dot\theta\sin\theta - \lambda_3(\ddot\psi + \ddot\phi\cos\theta -
-  \dot\phi\dot\theta\sin\theta)\cos\theta
-""",
-        "does not arrive here",
-    ),
-    "a rate that is neglected as a whole": (
-        r"""
-Neglect $\varepsilon\omega_3$ in the decay, for small $\varepsilon$ => \dot\omega_3 \approx 0
-""",
-        "nothing is left of a side",
-    ),
     "a function of what, is not said": (
         POTENTIAL
         + r"""

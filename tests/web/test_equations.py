@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import inspect
 import math
-import re
 
 import numpy as np
 import pytest
@@ -38,10 +36,6 @@ def quantities(draw):
     rotation = Rotation.from_euler("ZYZ", [found["phi"], found["theta"], found["psi"]])
     x, y, z, w = rotation.as_quat().tolist()
     return found | {"q0": w, "q1": x, "q2": y, "q3": z}
-
-
-def names_of(text):
-    return re.findall(r"export function (\w+)\(\{", text)
 
 
 EXPECTED = {
@@ -197,9 +191,3 @@ def test_a_module_that_is_not_what_the_theory_gives_is_found(tmp_path, monkeypat
     assert "run python -m rigidtop.web" in capsys.readouterr().out
     assert main([]) == 0
     assert stale.read_text("utf-8") == current
-
-
-def test_every_function_is_tested():
-    here = inspect.getsource(inspect.getmodule(test_every_function_is_tested))
-    for name in names_of(equations.PATH.read_text("utf-8")):
-        assert name in EXPECTED or name in here, name

@@ -11,7 +11,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 import rigidtop as rt
-from rigidtop.web.presets import PRESETS, TOP
+from rigidtop.web.presets import TOP
 from rigidtop.web.setup import setup_of
 
 WORDS = {"steady": "steady precession", "plane": "plane pendulum", "asymptotic": "waves"}
@@ -111,24 +111,6 @@ def test_both_steady_rates_are_steady(engine, tableau, which, omega3):
     assert near["verdict"].startswith("It precesses, and nods by no more than 0.0")
 
 
-def test_the_nutation_has_its_period_in_words(engine, tableau):
-    motion = TOP.motion(theta=0.5, phi_dot=-1.0, omega3=12.0)
-    said = facts(engine, motion)["verdict"]
-    assert f" every {motion.nutation_period:.4g} s, and φ̇ changes sign: " in said
-    held = TOP.motion(theta=math.radians(1), omega3=1.2 * TOP.sleeping_spin())
-    least, most = (math.degrees(angle) for angle in held.turning_points)
-    assert least == pytest.approx(1)
-    assert facts(engine, held)["verdict"].startswith(
-        f"It sleeps: the axis stays within {most:.4g}° of the vertical. "
-    )
-    wakes = TOP.motion(theta=math.radians(1), omega3=0.9 * TOP.sleeping_spin())
-    most = math.degrees(wakes.turning_points[1])
-    assert facts(engine, wakes)["verdict"].startswith(
-        f"It wakes up: the axis falls to {most:.4g}°, and comes back to 1° every "
-        f"{wakes.nutation_period:.4g} s. "
-    )
-
-
 def test_a_flip_says_so_and_when(engine, tableau):
     motion = rt.FreeBody(1.0, 1.7, 2.3).motion(omega=(0.02, 4.0, 0.02))
     said = facts(engine, motion)["verdict"]
@@ -161,52 +143,6 @@ def test_the_map_of_starts_agrees_with_the_motions(engine, tableau, theta, phi_d
         assert sign == -1
 
 
-def test_presets_are_what_their_names_say(engine, tableau):
-    names = {"slow": "steady precession", "fast": "steady precession", "waves": "waves",
-             "cusps": "cusps", "loops": "loops", "toppling": "plane pendulum",
-             "sleeping": "cusps", "waking": "cusps", "free-precession": "regular precession",
-             "plate": "regular precession", "flip": "short axis", "largest": "short axis",
-             "smallest": "long axis", "toutatis": "long axis"}  # fmt: skip
-    for presets in PRESETS.values():
-        for preset in presets():
-            setup = {"kind": preset.setup.kind, "clock": preset.setup.clock,
-                     "values": dict(preset.setup.values)}  # fmt: skip
-            found = engine.run("factsOf(createMotion(setup, tableau))", setup=setup)
-            assert found["regime"] == names.pop(preset.name), preset.name
-    assert not names
-
-
-@pytest.mark.parametrize(
-    ("state", "says"),
-    [
-        ({"theta": 0.5, "omega3": 3.0}, "Steady precession at θ₀ = 28.65° needs |ω₃| ≥ 6.622 rad/s:"
-         " with ω₃ = 3 rad/s there is none."),
-        ({"theta": 0.5, "omega3": -12.0}, "with ω₃ = −12 rad/s there are Ω₋ = −0.6113 rad/s and"
-         " Ω₊ = −6.752 rad/s."),
-        ({"theta": 2.0, "omega3": 1.0}, "With the centre of mass below the pivot, as at "
-         "θ₀ = 114.6°, every spin has a steady precession: Ω₋ = 2.373 rad/s and Ω₊ = "
-         "−3.667 rad/s."),
-        ({"theta": math.pi, "omega3": 1.0}, "Hanging straight down, it is stable with any spin."),
-        ({"theta": math.pi / 2, "omega3": 10.0}, "has one rate, MgR/(λ₃ω₃) = 0.6727 rad/s."),
-        ({"theta": math.pi / 2, "omega3": 0.0}, "steady precession needs a spin: |ω₃| > 0."),
-        ({"theta": 0.0, "omega3": 8.0}, "from |ω₃| ≥ 7.069 rad/s on: with ω₃ = 8 rad/s it sleeps."),
-        ({"theta": 0.0, "omega3": 6.0}, "with ω₃ = 6 rad/s it falls at the slightest push."),
-        # 2λ₁MgR sin θ/(λ₃ω₃)² is 0.000686327 degrees.
-        ({"theta": 0.5, "omega3": 1e3}, "It precesses, and nods by no more than 0.0006863° every "
-         "0.01167 s (cusps): 0.006727 rad/s on average. "),
-    ],
-)  # fmt: skip
-def test_the_verdict(engine, tableau, state, says):
-    assert says in facts(engine, TOP.motion(**state))["verdict"]
-
-
-def test_numbers_of_the_verdict_are_those_of_python():
-    assert f"{TOP.smallest_spin(0.5):.4g}" == "6.622"
-    assert f"{TOP.sleeping_spin():.4g}" == "7.069"
-    assert [f"{rate:.4g}" for rate in TOP.steady_precession(0.5, -12.0)] == ["-0.6113", "-6.752"]
-    assert f"{TOP.steady_precession(math.pi / 2, 10.0)[0]:.4g}" == "0.6727"
-
-
 BODIES = [(1.0, 1.7, 2.3), (2.3, 1.0, 1.7), (1.3, 1.3, 0.7), (1, 2, 2), (2, 1, 2), (1, 1, 1)]
 
 
@@ -219,31 +155,6 @@ def test_the_regime_of_any_free_body(engine, tableau, moments, omega):
     assume(any(omega))
     motion = rt.FreeBody(*moments).motion(omega=omega)
     assert facts(engine, motion)["regime"] == motion.regime
-
-
-@pytest.mark.parametrize(
-    ("omega", "says"),
-    [
-        ((0, 0, 2.0), "ω stays along the principal axis e₃."),
-        ((0, 2.0, 0), "ω stays along the principal axis e₂, unstably: it is the axis of the "
-         "intermediate moment."),
-        ((0, 0, 0), "The body is at rest."),
-        ((0.1, 0.1, 2.0), "ω goes round e₃, the axis of the largest moment, in "),
-        ((2.0, 0.1, 0.1), "ω goes round e₁, the axis of the smallest moment, in "),
-    ],
-)  # fmt: skip
-def test_the_verdict_of_free_bodies(engine, tableau, omega, says):
-    said = facts(engine, rt.FreeBody(1.0, 1.7, 2.3).motion(omega=omega))["verdict"]
-    assert said.startswith(says)
-
-
-@pytest.mark.parametrize(
-    ("moments", "omega"), [((1, 2, 2), (0, 1, 0.3)), ((1, 1, 2), (1, 1, 0)), ((1, 1, 1), (1, 2, 3))]
-)
-def test_omega_that_rests_beside_the_axes(engine, tableau, moments, omega):
-    found = facts(engine, rt.FreeBody(*moments).motion(omega=omega))
-    assert found["regime"] == "steady"
-    assert found["verdict"].startswith("ω stays where it is")
 
 
 @pytest.mark.parametrize("oblate", [False, True])
@@ -267,31 +178,6 @@ def test_a_top_whose_centre_of_mass_is_on_the_other_side(engine, tableau):
         least, most = same["turningPoints"]
         assert found["turningPoints"] == pytest.approx((math.pi - most, math.pi - least), abs=1e-9)
         assert found["regime"] == same["regime"]
-
-
-@pytest.mark.parametrize(
-    ("omega", "says"),
-    [((0, 0, 9.0), "e₃ stays where it is"), ((1, 0, 9), "e₃ turns steadily about")],
-)
-def test_without_weight(engine, tableau, omega, says):
-    for body in (rt.HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.0),
-                 rt.HeavyTop(lambda1=1.3, lambda3=0.7, M=0.8, R=0.6, g=0.0)):  # fmt: skip
-        turn = TOP.motion(theta=0.5, omega3=1.0).attitude
-        found = facts(engine, body.motion(attitude=turn, omega=omega))
-        assert says in found["verdict"]
-        assert found["steady"] is None
-        assert found["regime"] == "free precession"
-    asymmetric = rt.HeavyBody(1.3, 1.4, 0.7, M=0.8, centre_of_mass=(0, 0, 0))
-    verdict = facts(engine, asymmetric.motion(omega=(1, 0.2, 3)))["verdict"]
-    assert verdict.startswith("Without a torque L is conserved, and the energy. ω goes round e₃")
-
-
-def test_a_symmetric_free_body_has_both_rates(engine, tableau):
-    motion = rt.FreeBody(1.3, 1.3, 0.7).motion(omega=(1.5, 0, 2.5))
-    found = facts(engine, motion)
-    assert "Ω_b = (λ₁ − λ₃)ω₃/λ₁ = 1.154 rad/s" in found["verdict"]
-    assert f"{(1.3 - 0.7) / 1.3 * 2.5:.4g}" == "1.154"
-    assert f"{motion.mean_precession:.4g} rad/s" in found["verdict"]
 
 
 def test_without_symmetry_nothing_is_promised(engine, tableau):

@@ -12,9 +12,9 @@ from PIL import Image
 from rigidtop.web.presets import SPIN, TILT, TOP
 
 pytest.importorskip("selenium", reason="selenium is missing")
-from selenium.webdriver import ActionChains, Keys
+from selenium.webdriver import ActionChains
 
-from .test_browser import HEAVY, NAMES, STILL, button, click, press, tab_to
+from .test_browser import HEAVY, NAMES, STILL
 
 
 @pytest.fixture(autouse=True, scope="module")
@@ -59,16 +59,6 @@ def test_each_preset_has_its_picture(live, kind, name):
     assert 0.2 < counts.max() / len(pixels) < 0.99
 
 
-def test_the_scene_has_the_arrows_for_itself(live):
-    live.show(HEAVY, STILL)
-    tab_to(live, "#scene")
-    before = settled(live)
-    press(live, Keys.ARROW_RIGHT * 6)
-    live.wait(lambda: turned(picture(live), before))
-    press(live, "0")
-    live.wait(lambda: not turned(picture(live), before))
-
-
 APART = """
 const done = arguments[0];
 Promise.all(["ghost", "motion", "facts"].map((name) => import(`rigidtop/${name}.js`)))
@@ -103,54 +93,9 @@ def test_the_ghost_has_one_setting_changed(live):
     assert "ghost=nobody, which is none of" in live.find("#notice").text
 
 
-def test_a_finger_turns_the_view(phone):
-    phone.open(HEAVY, STILL)
-    before = settled(phone)
-    box = phone.find("#scene canvas").rect
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-
-    def touch(kind, *points):
-        where = [{"x": x + dx, "y": y + dy} for dx, dy in points]
-        phone.cdp("Input.dispatchTouchEvent", type=kind, touchPoints=where)
-
-    touch("touchStart", (0, 0))
-    for way in range(10, 90, 10):
-        touch("touchMove", (way, way / 3))
-    touch("touchEnd")
-    phone.wait(lambda: turned(picture(phone), before))
-    assert phone.js("[scrollX, scrollY]") == [0, 0]
-
-
 def test_a_mouse_turns_the_view(live):
     live.show(HEAVY, STILL)
     before = settled(live)
     chain = ActionChains(live.driver, duration=0)
     chain.click_and_hold(live.find("#scene canvas")).move_by_offset(60, 20).release().perform()
     live.wait(lambda: turned(picture(live), before))
-
-
-def test_a_picture_that_stands_is_drawn_finely(live):
-    # Two pixels a unit of length; while it moves, one at most on this screen.
-    finely = "(({ width, clientWidth }) => width / clientWidth)(document.querySelector('canvas'))"
-    live.show(HEAVY, STILL)
-    live.wait(f"{finely} === 2")
-    click(live, button("Play"))
-    live.wait(f"rigidtop.motion.now.t > 0 && {finely} <= 1")
-    before = picture(live)
-    live.wait(lambda: turned(picture(live), before))
-    click(live, button("Pause"))
-    live.wait(f"{finely} === 2")
-
-
-@pytest.mark.parametrize(
-    ("wish", "theme"),
-    [({"prefers_contrast": "more"}, "contrast"), ({"prefers_color_scheme": "dark"}, "dark"),
-     ({}, "light")],
-)  # fmt: skip
-def test_the_theme_is_the_one_that_the_system_asks_for(live, wishes, wish, theme):
-    wishes(**wish)
-    live.open(HEAVY, STILL)
-    assert live.js("document.documentElement.dataset.theme") == theme
-    assert live.js("document.querySelector('select').value") == theme
-    paper = {"light": (253, 253, 251), "dark": (21, 24, 27), "contrast": (0, 0, 0)}[theme]
-    assert picture(live).getpixel((3, 3)) == paper
