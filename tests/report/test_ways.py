@@ -57,7 +57,7 @@ def test_axes_along_which_something_is_resolved_have_no_sign(notation: str, alon
     ("name", "sentence"),
     [
         ("3.57", "Take (3.42) and project on e₁′, e₂′ and e₃:"),  # which is not shown
-        ("3.57", "Using the rate of precession and ω₃, divide by sin θ ≠ 0:"),  # and is said once
+        ("3.57", "Using the rate of precession, divide by sin θ ≠ 0:"),  # and is said once
         ("constant-rate", "Divide by λ₁ sin² θ ≠ 0, where sin θ ≠ 0:"),
         ("3.42", "Take (3.41) and substitute ẑ:"),
     ],
