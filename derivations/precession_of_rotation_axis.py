@@ -55,11 +55,13 @@ def oscillating_pair() -> Iterator[Evidence]:
 def oscillator() -> Iterator[Evidence]:
     """One of (3.37) differentiated in time, the other inserted."""
     meaning = {
+        s.omega1dot: along_flow(s.omega1),
+        s.omega2dot: along_flow(s.omega2),
         s.omega1ddot: along_flow(along_flow(s.omega1)),
         s.omega2ddot: along_flow(along_flow(s.omega2)),
         s.Omega_b: body_frequency(),
     }
-    for line in printed.lines("omega-oscillator")[2:]:
+    for line in printed.lines("omega-oscillator"):
         yield Check(line, meaning, (SYMMETRIC,))
 
 
@@ -201,7 +203,7 @@ def space_cone() -> Iterator[Evidence]:
     """
     from . import evidence
 
-    _, _, axis, _, omega_rate, _, rate, square, _ = printed.lines("space-cone")
+    _, _, axis, omega_rate, _, rate, _ = printed.lines("space-cone")
     momentum = angular_momentum()
     meaning = {
         s.e3: Matrix(Z_AXIS),
@@ -228,7 +230,6 @@ def space_cone() -> Iterator[Evidence]:
             ),
         ),
     )
-    yield Formal(square, {**meaning, s.Omega_s: azimuth, s.L: size}, (SYMMETRIC,))
     yield from evidence.space_cone()
 
 

@@ -367,22 +367,45 @@ class Raw:
 
 
 def pieces(words: str, notation: Notation) -> tuple[Any, ...]:
-    """Running text with its mathematics read: strings, trees and equations, `Raw` where not."""
+    r"""Running text with its mathematics read: strings, trees and equations, `Raw` where not.
+
+    >>> pieces(r"has $2.9\times 10^{-3}\ \text{J s}$, at $15^\circ$", NOTES)[1:]
+    (Raw(latex='2.9\\times 10^{-3}', text='2.9×10^-3'), '\u202fJ\u202fs', ', at ', 15, '°')
+    """
     made: list[Any] = []
     for k, piece in enumerate(re.split(r"\$([^$]+)\$", words)):
         if k % 2 == 0:
             made.append(piece)
             continue
-        for side in (piece + " = 0", piece):  # most are no equation, and a side of one
-            found = read(side, notation)
-            tree = found[0].equation if len(found) == 1 else None
-            if tree is not None and (side == piece or len(tree.sides) == 2):
-                made.append(tree if side == piece else tree.sides[0])
-                break
-        else:  # an index is no symbol of the notation
-            letter = re.fullmatch("[a-z]", piece)
-            made.append(Symbol(piece) if letter else Raw(piece, unread(piece)))
+        counted = _COUNTED.fullmatch(piece)
+        formula = counted["number"] if counted else piece
+        made.append(_formula(formula, notation))
+        if counted:
+            unit = " ".join((counted["unit"] or "").split()) + _POWERS[counted["power"]]
+            made.append("\u202f" + unit.replace(" ", "\u202f") if counted["unit"] else "°")
     return tuple(piece for piece in made if piece != "")
+
+
+_COUNTED = re.compile(
+    r"(?P<number>.*\d\}?)(?:\s|\\[ ,;:]|~)*"
+    r"(?:\\(?:text|mathrm)\s*\{(?P<unit>[^{}]+)\}(?:\^\{?(?P<power>[23])\}?)?|\^\s*\{?\\circ\}?)\s*"
+)
+"""A formula that ends in a number with a unit, which is a word: of letters or the degree."""
+
+_POWERS = {None: "", "2": "²", "3": "³"}
+
+
+def _formula(latex: str, notation: Notation) -> Any:
+    """A tree or an equation, or what is not read; decimals stay as they are written."""
+    if re.search(r"\d\.\d", latex):
+        return Raw(latex, unread(latex))
+    for side in (latex + " = 0", latex):  # most are no equation, and a side of one
+        found = read(side, notation)
+        tree = found[0].equation if len(found) == 1 else None
+        if tree is not None and (side == latex or len(tree.sides) == 2):
+            return tree if side == latex else tree.sides[0]
+    # An index is no symbol of the notation.
+    return Symbol(latex) if re.fullmatch("[a-z]", latex) else Raw(latex, unread(latex))
 
 
 def read_lecture(

@@ -175,13 +175,13 @@ TEXTS = commands("text textrm textit mbox hbox operatorname operatorname* mathrm
 GREEKS = {"\\" + name: letter for name, letter in GREEK.items()}
 GREEKS |= {r"\varphi": "φ", r"\vartheta": "θ", r"\varepsilon": "ε", r"\varrho": "ρ"}
 GREEKS |= {r"\var" + name: letter for name, letter in GREEK.items() if name[0].isupper()}
-_SAID = {**GREEKS, r"\perp": "⊥", r"\parallel": "∥", r"\partial": "∂", r"\top": "T"}
-_SAID |= {r"\intercal": "T", r"\prime": "′", "'": "′", r"\to": "→", r"\rightarrow": "→"}
-_SAID |= {r"\ll": "≪", r"\gg": "≫", r"\le": "≤", r"\leq": "≤", r"\ge": "≥", r"\geq": "≥"}
-_SAID |= {r"\neq": "≠", r"\ne": "≠", r"\approx": "≈", r"\dots": "…", r"\ldots": "…", r"\cdots": "…"}
-_SAID |= {r"\leqslant": "≤", r"\geqslant": "≥", r"\pm": "±", r"\mp": "∓", r"\times": "×"}
-_SAID |= {r"\odot": "⊙", r"\oplus": "⊕", r"\cap": "∩", r"\cup": "∪", r"\in": "∈", r"\circ": "∘"}
-_SAID |= {r"\bot": "⊥", r"\cdot": "·", r"\ell": "ℓ", r"\infty": "∞"}
+SAID = {**GREEKS, r"\perp": "⊥", r"\parallel": "∥", r"\partial": "∂", r"\top": "T"}
+SAID |= {r"\intercal": "T", r"\prime": "′", "'": "′", r"\to": "→", r"\rightarrow": "→"}
+SAID |= {r"\ll": "≪", r"\gg": "≫", r"\le": "≤", r"\leq": "≤", r"\ge": "≥", r"\geq": "≥"}
+SAID |= {r"\neq": "≠", r"\ne": "≠", r"\approx": "≈", r"\dots": "…", r"\ldots": "…", r"\cdots": "…"}
+SAID |= {r"\leqslant": "≤", r"\geqslant": "≥", r"\pm": "±", r"\mp": "∓", r"\times": "×"}
+SAID |= {r"\odot": "⊙", r"\oplus": "⊕", r"\cap": "∩", r"\cup": "∪", r"\in": "∈", r"\circ": "∘"}
+SAID |= {r"\bot": "⊥", r"\cdot": "·", r"\ell": "ℓ", r"\infty": "∞"}
 
 
 def flat(items: Sequence[Piece]) -> Iterator[Piece]:
@@ -201,7 +201,7 @@ def plain(*items: Piece) -> str:
     ('CM', 'd^3r')
     """
     left_out = TEXTS | FONTS | NOTHING
-    return "".join(_SAID.get(p.text, p.text) for p in flat(items) if p.text not in left_out)
+    return "".join(SAID.get(p.text, p.text) for p in flat(items) if p.text not in left_out)
 
 
 def said(items: Sequence[Piece]) -> str:
@@ -212,7 +212,7 @@ def said(items: Sequence[Piece]) -> str:
             continue
         made += " " * (end >= 0 and piece.position > end)
         named = piece.text[:1] == "\\" and piece.text[1:].isalpha()
-        made += _SAID.get(piece.text, piece.text[1:] if named else piece.text)
+        made += SAID.get(piece.text, piece.text[1:] if named else piece.text)
         end = piece.position + len(piece.text)
     return " ".join(made.split()).replace(" ,", ",")
 
@@ -233,7 +233,7 @@ def unread(text: str) -> str:
         shown = "".join(f" {p.text} " if p.text in "+-=" else plain(p) for p in pieces(text))
     except UnreadError:
         return text
-    return " ".join(shown.split())
+    return " ".join(shown.replace("\\", " ").split())
 
 
 def split(items: Sequence[Piece], at: str) -> list[Sequence[Piece]]:

@@ -356,7 +356,7 @@ class Legend:
     """What the marks in the margin mean."""
 
     rows: tuple[tuple[Verdict, str], ...]
-    head: str = "In the margin, at each statement of the notes"
+    head: str = "In the margin, at each claim"
 
 
 @dataclass(frozen=True)

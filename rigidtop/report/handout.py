@@ -281,9 +281,8 @@ def summary(judged: b.Judged, parts: Parts, student: bool = False) -> list[b.Blo
                 equations = (
                     numbered(parts, name) or corrected[:1] or [row.equation for row in printed]
                 )
-                amiss = judgement.verdict in (Verdict.FALSE, Verdict.CONVENTION)
                 words: b.Rich = (judgement.claim.says,)
-                if amiss:
+                if corrected:
                     right = [*filter(None, (f.check.reason for f in judgement.corrections()))]
                     said = judgement.claim.says.rstrip(".")
                     words = (SAID, " ".join((f"{said}.", *right)))

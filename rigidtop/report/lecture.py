@@ -222,6 +222,12 @@ def lecture(
     """
     lines, notation, student = edition.lines, edition.letters, edition.student
     judged, figures, solutions = _written(edition, judged, solutions)
+    if student:
+        told_right = lines.names.keys()  # a claim without lines is told as the notes have it
+        judged = [
+            (page, [marks.set_right(j) if j.claim.name in told_right else j for j in judgements])
+            for page, judgements in judged
+        ]
     every = map(Wording(notation).drawing, FIGURES if figures else ())
     drawings = {each.name: each for each in (*every, *figures)}
     sections = {page.section for page, _ in judged}

@@ -19,10 +19,7 @@ from rigidtop.typeset.nodes import Chain, Node
 LEGEND: Mapping[Verdict, str] = {
     Verdict.PROVED: "it was shown to hold, in symbols",
     Verdict.SAMPLED: "it holds at random points to 40 digits, and was not shown in symbols",
-    Verdict.ASSUMING: (
-        "it holds under the condition noted with it, which the notes do not state, or under one "
-        "that stands in its lines"
-    ),
+    Verdict.ASSUMING: "it holds under the condition noted with it, or under one in its lines",
     Verdict.CONVENTION: "right in content, at odds with the notes’ own definitions",
     Verdict.FALSE: "it does not hold as the notes have it; the right form stands beneath",
     Verdict.DEFINITION: "it introduces a name, and there is nothing to prove",
@@ -34,6 +31,15 @@ def legend(judgements: Iterable[Judgement]) -> b.Legend:
     """What the marks mean that are used."""
     used = {judgement.verdict for judgement in judgements}
     return b.Legend(tuple((v, words) for v, words in LEGEND.items() if v in used))
+
+
+def set_right(judgement: Judgement) -> Judgement:
+    """A claim as its corrected form was judged, for those who have no quarrel with the notes."""
+    verdicts = [finding.verdict for finding in judgement.corrections()]
+    return replace(judgement, verdict=max(verdicts, key=ORDER)) if verdicts else judgement
+
+
+ORDER = list(Verdict).index
 
 
 def marked(judgement: Judgement, lines: Sequence[Equation] = ()) -> tuple[b.Mark | b.Block, ...]:

@@ -12,7 +12,6 @@ from typing import Any
 import sympy
 
 from rigidtop.notation import NOTES, Notation
-from rigidtop.notation.characters import TEX_GREEK
 from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.lecture import Box, BoxEnd, Heading, Lecture, Prose, Shown, Text
@@ -23,6 +22,7 @@ from rigidtop.proof.units import UnitsError
 from rigidtop.proof.values import tree
 from rigidtop.proof.verdict import Judgement, Led
 from rigidtop.proof.words import bold
+from rigidtop.read.tex import SAID
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.report.claims import claim_blocks
@@ -338,8 +338,8 @@ def running(
     return tuple(made)
 
 
-_GREEK = {name: letter for letter, name in TEX_GREEK.items()}
 _BOLD = {c: chr(0x1D400 + k) for k, c in enumerate(ascii_uppercase + ascii_lowercase)}
+_PLAIN = {r"\,": " ", r"\ ": " ", r"^\circ": "°", r"^{\circ}": "°", "_+": "₊", "_-": "₋"}
 
 
 def _marked(tex: str) -> str:
@@ -347,11 +347,22 @@ def _marked(tex: str) -> str:
 
     >>> _marked(r"\mathbf u + i\mathbf v"), _marked(r"2\cos\alpha\,\mathbf{n}_k")
     ('$𝐮 + i𝐯$', '$2 cos α 𝐧_k$')
+    >>> _marked(r"\Omega_- = 3.4\times 10^{-3}"), _marked(r"2\pi\cdot 1.5 < 90^\circ")
+    ('$Ω₋ = 3.4 × 10^{-3}$', '$2π · 1.5 < 90°$')
     """
     bold = re.sub(r"\\mathbf\s*\{?([A-Za-z])\}?", lambda m: _BOLD[m[1]], tex)
-    words = re.sub(r"\\[A-Za-z]+", lambda m: _GREEK.get(m[0], f" {m[0][1:]} "), bold)
-    plain = re.sub(r"[{}]", "", words.replace(r"\,", " "))
+    for written, printed in _PLAIN.items():
+        bold = bold.replace(written, printed)
+    words = re.sub(r"\\(?:text\b)?([A-Za-z]*)", _said, bold)
+    plain = re.sub(r"(?<!\^)\{([^{}]*)\}", r"\1", words)
+    plain = re.sub(r"_(\d)(?![\d,])", lambda m: chr(ord("₀") + int(m[1])), plain)
     return f"${' '.join(plain.split())}$"
+
+
+def _said(command: re.Match[str]) -> str:
+    """A command as its letter or sign, else as a word."""
+    letter = SAID.get(command[0], "")
+    return letter if letter.isalpha() else f" {letter or command[1]} "
 
 
 _NAMING = re.compile(r"^(?:Along the motion|At the moment),? |^(?:Call|Define) |, define ")

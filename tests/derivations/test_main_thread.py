@@ -1,6 +1,6 @@
 """The main thread of the lecture stands by itself, and its numbers are right."""
 
-from math import cos, degrees, hypot, pi, radians, sin, sqrt
+from math import cos, degrees, hypot, log, pi, radians, sin, sqrt
 
 import pytest
 
@@ -65,7 +65,9 @@ MOMENTUM = sum((m * w) ** 2 for m, w in zip(MOMENTS, OMEGA_1992, strict=True))
         ("half a degree", degrees(SMALL * sin(TILT)), 0.5, 0.05),
         ("above 533 turns", TOP.smallest_spin(0.0) * 30 / pi, 533, 0.5),
         ("1.9 times the energy", float(max(MOMENTS) * ENERGY / MOMENTUM), 1.9, 0.05),
-        ("a factor $e$ in 0.28 turns", sqrt(3) / (2 * pi), 0.28, 0.005),
+        ("doubles in 0.19 turns", log(2) * sqrt(3) / (2 * pi), 0.19, 0.005),
+        ("has $(0.26, 0, 0.97)$ there", sin(TILT), 0.26, 0.005),
+        ("has $(0.26, 0, 0.97)$ there", cos(TILT), 0.97, 0.005),
         ("take 304 days", 1 / 0.003273795 - 1, 304, 0.5),
     ],
 )

@@ -31,6 +31,7 @@ from rigidtop.report.blocks import (
     ExerciseHead,
     Figure,
     Heading,
+    Legend,
     Look,
     NameLine,
     Paragraph,
@@ -411,11 +412,31 @@ def test_a_student_sees_no_solution(judged, solutions, lines):
     assert new <= _marked(whole)
 
 
+def test_a_student_has_no_quarrel_with_the_notes(judged, solutions, lines):
+    quarrels = {Verdict.FALSE, Verdict.CONVENTION}
+    for student in (True, False):
+        whole, _ = lecture(judged, solutions, Edition(student, lines=lines))
+        shown = {"legend": {v for v, _ in _one(whole, Legend).rows}}
+        shown["summary"] = {v for *_, v in _one(whole, Results).rows}
+        shown["margin"] = {mark.verdict for mark in _marks(whole)}
+        for place, verdicts in shown.items():
+            assert bool(verdicts & quarrels) is not student, place
+
+
+def _one(document, kind):
+    [block] = [block for block in document.blocks if isinstance(block, kind)]
+    return block
+
+
 def _marked(document):
     """The claims that have a mark."""
+    return {mark.name for mark in _marks(document)}
+
+
+def _marks(document):
     rows = (row for b in document.blocks if isinstance(b, Display) for row in b.rows)
     said = (block for block in document.blocks if isinstance(block, Paragraph))
-    return {each.mark.name for each in (*rows, *said) if each.mark is not None}
+    return [each.mark for each in (*rows, *said) if each.mark is not None]
 
 
 def test_every_claim_of_the_notes_has_its_mark(document, judged):
