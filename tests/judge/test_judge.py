@@ -435,8 +435,8 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 - J_1\dot a_1 - J_2\dot a_2 = \mathrm{const}
 
 # where what was said vanishes
-. V = \epsilon\left(\left(\frac sr\right)^{12} - \left(\frac sr\right)^6\right)
-+ \frac{dV}{dr} = -\frac{6\epsilon}r\left(2\left(\frac sr\right)^{12} - \left(\frac sr\right)^6\right)
+. V = c\left(\left(\frac sr\right)^{12} - \left(\frac sr\right)^6\right)
++ \frac{dV}{dr} = -\frac{6c}r\left(2\left(\frac sr\right)^{12} - \left(\frac sr\right)^6\right)
 > It vanishes at
 + r_0 = 2^{1/6}s
 - r_0 = 2^{1/3}s
