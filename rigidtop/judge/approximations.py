@@ -3,18 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 
 from rigidtop.judge import definitions, worth
-from rigidtop.judge.context import LINEAR
+from rigidtop.judge.context import LINEAR, Limit
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, Slip, slip
 from rigidtop.judge.jets import jet_of, jets
+from rigidtop.judge.meaning import UnclearError
 from rigidtop.judge.numbers import are_numbers, compared
-from rigidtop.judge.orders import Scaling, differ, is_too_long, nearly, scalings, small_together
-from rigidtop.judge.outcome import ASSUMING, FALSE, UNDECIDED, Outcome
+from rigidtop.judge.orders import (
+    Scaling,
+    differ,
+    is_too_long,
+    nearly,
+    scalings,
+    small_together,
+    tending_to,
+)
+from rigidtop.judge.outcome import ASSUMING, FALSE, PREMISE, UNDECIDED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.settings import is_own
+from rigidtop.judge.sides import ZERO
 from rigidtop.judge.worlds import Worlds
+from rigidtop.tree.nodes import Letter
 from rigidtop.tree.plain import plain as in_words
 
 
@@ -39,6 +51,21 @@ def judged(question: Question) -> Judgement:
     if apart is not None:
         return apart, context
     return Outcome(UNDECIDED, "it is not seen for what it is nearly true"), context
+
+
+def tending(question: Question) -> Judgement:
+    """The outcome of →: a letter that becomes large or small, or what both sides become then."""
+    left, right, context = question.left, question.right, question.context
+    limits = [x for x in context.limits if x.sentence == question.at.sentence]
+    if isinstance(left, Letter) and right in (INFINITY, ZERO) and not limits:
+        limit = Limit(left, right == INFINITY, question.at.sentence)
+        return Outcome(PREMISE, "a limit"), replace(context, limits=(*context.limits, limit))
+    if not limits:
+        raise UnclearError("it is not said for what it tends there")
+    return judged(question)
+
+
+INFINITY = Letter("∞")
 
 
 def nearly_equal(question: Question) -> Judgement | None:
@@ -105,6 +132,10 @@ def _alike(question: Question, both: Sequence[Pair], worlds: Worlds, strictly: b
 
 def _scalings(question: Question, worlds: Worlds) -> list[Scaling]:
     """What may be small or large here: what is said to be, before what is only possible."""
+    limits = [x for x in question.context.limits if x.sentence == question.at.sentence]
+    if limits:
+        tending = (tending_to(x.letter, x.large, worlds) for x in limits)
+        return [each for each in tending if each is not None]
     which = "small" if question.at.small else "large" if question.at.large else ""
     usual = _scaled(question, worlds, which)
     if which == "large" and question.at.closed:

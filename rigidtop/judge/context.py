@@ -69,6 +69,15 @@ class Constraint:
 
 
 @dataclass(frozen=True)
+class Limit:
+    """A letter that becomes large, or small, in one sentence."""
+
+    letter: Letter
+    large: bool
+    sentence: int
+
+
+@dataclass(frozen=True)
 class Habits:
     """How a whole text uses its letters.
 
@@ -125,6 +134,8 @@ class Context:
     """Equations of motion that have been said."""
     little: tuple[frozenset[Letter], ...] = ()
     """Letters that are said to be much smaller than others, together at a time."""
+    limits: tuple[Limit, ...] = ()
+    """What letters tend to: zero or infinity."""
     said: Node | None = None
     """The left side of the statement before."""
     head: Node | None = None
@@ -195,6 +206,7 @@ class Context:
             definitions=definitions,
             open=open_here,
             accelerations=moved,
+            limits=tuple(each for each in self.limits if each.sentence == sentence),
         )
 
 

@@ -160,7 +160,7 @@ def _path(question: Question, holds: bool | None) -> Judgement | None:
     if path is None:
         return None
     question = replace(question, path=path)
-    laws, tried = paths.laws(question), path.context
+    laws, tried = paths.laws(question), paths.tried(question)
     if not laws:
         return Outcome(DEFINITION, f"what {in_words(question.left)} stands for"), tried
     new = question.new_letters

@@ -255,6 +255,8 @@ def _related(question: Question, relation: str) -> Judgement:
     if relation in NEARLY:
         judge = approximations.judged
         return roots.each_sign(question, judge) if signs else judge(question)
+    if relation == "→":
+        return approximations.tending(question)
     if relation not in CONDITIONS:
         raise UnclearError(f"{relation} is not judged")
     if question.at.inline:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from sympy import Add, Expr, Symbol
 
-from rigidtop.judge.jets import jet_of, operations
+from rigidtop.judge.jets import TIME, jet_of, operations
 from rigidtop.judge.laws import highest
 from rigidtop.judge.program import Array, Program, Steps, UnknownFunctionError
 from rigidtop.judge.worlds import Worlds, least
@@ -95,6 +95,18 @@ def small_together(letters: frozenset[Letter], worlds: Worlds) -> Scaling | None
     small = [x for x in worlds.letters if (jet := jet_of(x)) is not None and jet.letter in letters]
     words = "small " + " and ".join(sorted(map(plain, letters)))
     return Scaling(words, tuple(small), SMALL) if small else None
+
+
+def tending_to(letter: Letter, large: bool, worlds: Worlds) -> Scaling | None:
+    """That a letter, or the time, becomes large or small."""
+    time = letter == Letter("t")
+    names = [
+        x
+        for x in worlds.letters
+        if (x == TIME if time else (jet := jet_of(x)) is not None and jet.letter == letter)
+    ]
+    words = f"{'large' if large else 'small'} {plain(letter)}"
+    return Scaling(words, tuple(names), LARGE if large else SMALL) if names else None
 
 
 def scalings(

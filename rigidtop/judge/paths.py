@@ -6,12 +6,12 @@ from dataclasses import replace
 
 from sympy import Expr, MatrixBase
 
-from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.context import PREMISE, Constraint, Context, Definition
 from rigidtop.judge.jets import TIME, Jet, jets, rate, symbol
 from rigidtop.judge.laws import Residual, residuals
 from rigidtop.judge.meaning import Meant
 from rigidtop.judge.question import Pair, Path, Premises, Question
-from rigidtop.judge.sides import letters_of, named, speaks_of
+from rigidtop.judge.sides import ZERO, letters_of, named, speaks_of
 from rigidtop.tree.nodes import Letter
 
 MOST_RATES = 3
@@ -89,6 +89,22 @@ def solves(question: Question, value: Expr) -> bool:
         gaps += [(each.expression, 0 * TIME) for each in begun if each.constraint in starts]
         left = tuple(c for c in left if c not in starts)
     return question.of(gaps, replace(path.context, constraints=left)).holds()
+
+
+def tried(question: Question) -> Context:
+    """What is known with a motion that is tried: what a Lagrangian says of its letter, too.
+
+    The Lagrangian itself does not move the letter any more.
+    """
+    path = question.path
+    assert path is not None
+    put, at = _put_in(path.letter, path.value, question.context), question.at
+    known = path.context
+    for each in laws(question):
+        if each.constraint is None:
+            gap = Meant(each.expression.subs(put, simultaneous=True))
+            known = known.holding(Constraint(gap, ZERO, at.number, PREMISE, at.scope))
+    return known
 
 
 def is_free(question: Question) -> bool:

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from rigidtop.errors import RigidtopError
+from rigidtop.judge.approximations import INFINITY
 from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Definition, Habits
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import LAGRANGIANS
@@ -153,8 +154,9 @@ def _behind_large(read: Read) -> list[bool]:
     """
     reached: list[bool] = []
     scope: tuple[int, ...] | None = None
-    for passage, _ in read:
-        if Cue.LARGE in passage.cues:
+    for passage, each in read:
+        tends = isinstance(each, Statement) and each.sides[-1] == INFINITY
+        if tends or Cue.LARGE in passage.cues:
             scope = passage.scope
         elif passage.cues & {Cue.SMALL, Cue.GENERAL} or passage.scope != scope:
             scope = None

@@ -462,6 +462,26 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 + \dot\phi_m^2 = \frac{2\mu B}J(1 - \cos\phi_0)
 - \dot\phi_m^2 = \frac{\mu B}J(1 - \cos\phi_0)
 
+# what something tends to
+. a = \frac{ew^2}{q^2 - w^2}
+> For $w\to\infty$
+~ a \to -e
+- a \to e
+
+# a motion that is tried in a Lagrangian
+. L = \frac12m_1\dot x^2 + \frac12m_2\dot y^2 - \frac12k(x - y)^2 - \frac12qy^2
+. x = a\cos\omega t
+. y = b\cos\omega t
++ (k - m_1\omega^2)(k + q - m_2\omega^2) - k^2 = 0
+- (k - m_1\omega^2)(k - q - m_2\omega^2) - k^2 = 0
+
+# a motion and its constants, which may be zero
+. \ddot x = -\omega^2x
++ x = A\cos\omega t + B\sin\omega t
+> At the start
+. \dot x = 0
+> Hence
++ B = 0
 """
 """A line that begins with "." is taken as it stands, one with "+" follows, and one with "~" nearly.
 
