@@ -95,11 +95,17 @@ def _claim(head: b.ClaimHead, blocks: Sequence[b.Block], stands: bool) -> str:
 
 def _page(blocks: Sequence[b.Block]) -> str:
     above = next((block.level - 1 for block in blocks if isinstance(block, b.Heading)), 0)
-    return "\n\n".join(filter(None, (_block(block, above) for block in blocks))) + "\n"
+    parts, depth = [], 0
+    for block in blocks:
+        depth += isinstance(block, b.Box)
+        parts.append(_block(block, above, depth))
+        depth -= isinstance(block, b.BoxEnd)
+    return "\n\n".join(filter(None, parts)) + "\n"
 
 
-def _block(block: b.Block, above: int) -> str:
-    """A block of a page that stands as many levels below the title of the whole."""
+def _block(block: b.Block, above: int, depth: int = 0) -> str:
+    """A block of a page as many levels below the title of the whole, in so many boxes."""
+    fence = "`" * (6 - depth)  # the outer one is longer
     match block:
         case b.Heading():
             title = f"{block.number} {block.title}".strip()
@@ -107,15 +113,15 @@ def _block(block: b.Block, above: int) -> str:
         case b.Subhead():
             return f"{'#' * (block.level - above)} {markdown.words(block.words)}"
         case b.Box():
-            return f"````{{admonition}} {markdown.words(block.title)}\n:class: dropdown\n"
+            return f"{fence}{{admonition}} {markdown.words(block.title)}\n:class: dropdown\n"
         case b.BoxEnd():
-            return "````"
+            return fence
         case b.ExerciseHead():
             head = f"{block.label}. {block.title}"
             level = "#" * (block.level - above)
             return f"({block.anchor})=\n{level} {markdown.words(head)}"
         case b.Display():
-            return "\n\n".join(_display(block))
+            return "\n\n".join(_display(block, bool(depth)))
         case b.Figure():
             label = f"**{block.label}.** " if block.label else ""
             return (
@@ -123,7 +129,7 @@ def _block(block: b.Block, above: int) -> str:
                 f":alt: {block.alternative}\n\n{label}{markdown.words(block.caption)}\n```"
             )
         case b.Paragraph(mark=b.Mark()) if block.mark is not None:
-            return f"{_margin(block.mark)}\n\n{markdown.markdown([block])}"
+            return f"{_margin(block.mark, bool(depth))}\n\n{markdown.markdown([block])}"
         case b.Legend():
             return "\n".join(f"- {b.MARKS[v]} {markdown.words(words)}" for v, words in block.rows)
         case b.Results():
@@ -136,12 +142,12 @@ def _block(block: b.Block, above: int) -> str:
     return markdown.markdown([block])
 
 
-def _display(block: b.Display) -> list[str]:
+def _display(block: b.Display, boxed: bool) -> list[str]:
     """The sentences and the equations, each with its name; before them its verdict."""
     parts: list[str] = []
     for group in b.groups(block):
         first, last = group[0], group[-1]
-        parts += [_margin(row.mark) for row in group if row.mark is not None][:1]
+        parts += [_margin(row.mark, boxed) for row in group if row.mark is not None][:1]
         parts += [markdown.running(first.spoken)] if first.reason else []
         lines = aligned_lines([row.equation for row in group], last.order, markdown.LINE)
         number = rf" \tag{{{last.tag}}}" if last.tag else ""
@@ -152,7 +158,9 @@ def _display(block: b.Display) -> list[str]:
     return parts
 
 
-def _margin(mark: b.Mark) -> str:
+def _margin(mark: b.Mark, boxed: bool) -> str:
+    """What stands beside a line; a box has no margin, so it stands above the line there."""
     note = f" {markdown.running(mark.note)}" if mark.note else ""
     verdict = f"{b.MARKS[mark.verdict]} [{mark.verdict}](#{page_of(b.anchor(mark.name))})"
-    return f"```{{sidebar}}\n{verdict}{note}\n```"
+    directive = "container" if boxed else "sidebar"
+    return f"```{{{directive}}}\n{verdict}{note}\n```"

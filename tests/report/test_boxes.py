@@ -48,7 +48,7 @@ def test_slides_have_the_main_thread_and_no_solutions_unless_asked():
         (tex.write(WHOLE, {}), r"\rtbox{", r"\rtboxend" + "\n", 2),
         (typst.write(WHOLE, {}), "#boxed[", "\n]\n", 2),
         (markdown.markdown(BOX), "<details><summary>", "</details>", 2),
-        (myst.write(WHOLE)["myst/section-1.md"], "{admonition} ", "\n````\n", 2),
+        (myst.write(WHOLE)["myst/section-1.md"], "{admonition} ", "````\n", 2),
         (plain.fragment(BOX), "── ", "─" * 88 + "\n", 2),
     ],
 )
@@ -58,3 +58,9 @@ def test_every_form_has_the_box_in_its_place(made, begin, end, count):
     places = [body.index(x) for x in (begin, "More.", "Inside.", end, "Still.")]
     assert places == sorted(places)
     assert body.rindex(end) > body.index("Still.")
+
+
+def test_a_box_within_a_box_has_a_shorter_fence():
+    body = myst.write(WHOLE)["myst/section-1.md"]
+    fences = [line for line in body.splitlines() if line.startswith("````")]
+    assert [len(x) - len(x.lstrip("`")) for x in fences] == [5, 4, 4, 5]
