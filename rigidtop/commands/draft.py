@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rigidtop.commands.notes import NoFormulasError, Notes, audited
-from rigidtop.judge.text import LATE, Reading, Row, Step, reading, rows_of, steps
+from rigidtop.judge.reading import LATE
+from rigidtop.judge.text import Reading, Row, Step, reading, rows_of, steps
 from rigidtop.read.project import sources, whole
 
 if TYPE_CHECKING:

@@ -696,6 +696,18 @@ def _at(meaning: Meaning, node: n.At) -> Value:
     return _put(value, meaning.scalar(node.letter), meaning.scalar(node.value))
 
 
+def _gradient(meaning: Meaning, node: n.Nabla) -> Value:
+    """∇f as a column of slopes, where f is written in x, y and z."""
+    places = [Letter(x) for x in "xyz"]
+    if node.product or any(meaning.definition(x) is not None for x in places):
+        raise UnclearError("this ∇ is not judged")
+    value = meaning.scalar(node.of)
+    numbers = [meaning.free(x) for x in places]
+    if not value.free_symbols & {*numbers}:
+        raise UnclearError("∇ of what is not written in x, y and z")
+    return ImmutableMatrix([value.diff(x) for x in numbers])
+
+
 def _unit(_: Meaning, node: n.Unit) -> Expr:
     known = UNITS.get(node.name)
     if known is None:
@@ -770,6 +782,7 @@ _HANDLERS: dict[type[Node], Callable[[Meaning, Any], Value]] = {
     n.Integral: Meaning.integral,
     n.Total: Meaning.total,
     n.At: _at,
+    n.Nabla: _gradient,
     Meant: lambda _, node: node.value,
 }
 

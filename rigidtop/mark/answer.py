@@ -17,24 +17,16 @@ from itertools import pairwise
 from rigidtop.errors import RigidtopError
 from rigidtop.judge.approximations import INFINITY
 from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Definition, Habits
+from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import LAGRANGIANS
+from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
+from rigidtop.judge.reading import Read, read_text
 from rigidtop.judge.sides import NEARLY
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.text import (
-    Read,
-    at_one_time,
-    declared_letters,
-    habits_of,
-    in_time,
-    instant_at,
-    instants,
-    is_time,
-    read_text,
-    situation,
-)
+from rigidtop.judge.text import declared_letters, in_time, situation
 from rigidtop.mark.arrival import equalities, head, holds_on, is_reached, is_said, is_trivial
 from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.task import Branch, Task, Together

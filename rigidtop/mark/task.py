@@ -16,11 +16,12 @@ from sympy import Expr
 from rigidtop.derivations import lecture, models
 from rigidtop.errors import RigidtopError
 from rigidtop.judge.context import LAW, Constraint, Context
+from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.outcome import FALSE
 from rigidtop.judge.question import Patience
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.text import folded, habits_of
+from rigidtop.judge.text import folded
 from rigidtop.mark.facts import GIVEN, context, special
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.derivation import Line

@@ -128,7 +128,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"(?:^|[.;¶] ?)(?:the )?(?:lowest|highest|foremost|nearest) point\b[^§]*",
         r"\bat the (?:time|moment|instant) §[^§]*",
         r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
-        r"\b(?:initially|at first|(?<!hangs )(?<!is )(?<!are )(?<!lies )at rest)\b[^§,]*",
+        r"\b(?:initially|at first|(?<!hangs )(?<!is )(?<!are )(?<!lies )at rest)\b[^§,]*,?",
         r"\b(?:am (?:Anfang|Ende|Boden)|[ai]m (?:Umkehrpunkt|Scheitel|tiefsten Punkt|höchsten Punkt"
         r"|Moment)|oben|unten|zur Zeit|zum Zeitpunkt|anfangs|zu Beginn)\b[^§]*",
         r"\b(?:à l'instant|au (?:début|départ|sommet|point le plus (?:haut|bas))|initialement"

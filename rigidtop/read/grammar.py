@@ -85,7 +85,7 @@ class Reading:
 
     `calls`: M(x) is a function at a place, not a product; `gathered`: a/bc is a/(bc);
     `differentials`: dx is a differential, not d times x.  `functions` are functions for certain,
-    and where it is `lettered`, so is d a letter in front of a rate.
+    and where it is `lettered`, so is d a letter in front of a rate, and d².
     """
 
     calls: bool = True
@@ -733,7 +733,7 @@ class Grammar:
                 return derivative_of(sign, self.operand(), by)
             self.at = behind
         usual = sign == "∂" or self.reading.differentials or loose
-        usual = usual and not (self.reading.lettered and isinstance(of, Rate))
+        usual = usual and not (self.reading.lettered and (order > 1 or isinstance(of, Rate)))
         if of is not None and usual and self.items[self.at - 1].kind != "close":
             return Differential(of, order, sign == "∂")
         self.at = start

@@ -482,6 +482,16 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 . \dot x = 0
 > Hence
 + B = 0
+
+# a gradient
+. f = Ax^2 + By^2 + Cz^2
++ \nabla f = (2Ax, 2By, 2Cz)
+- \nabla f = (2Ax, By, 2Cz)
+
+# d with a square is the length of a vector
+. \mathbf d = (R, R, 0)
++ d^2m = 2R^2m
+- d^2m = 3R^2m
 """
 """A line that begins with "." is taken as it stands, one with "+" follows, and one with "~" nearly.
 

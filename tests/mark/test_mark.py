@@ -11,8 +11,8 @@ import pytest
 
 from rigidtop.errors import RigidtopError
 from rigidtop.judge.judge import Judge
+from rigidtop.judge.reading import read_text
 from rigidtop.judge.slips import changes
-from rigidtop.judge.text import read_text
 from rigidtop.mark.answer import mark as mark_task
 from rigidtop.mark.marking import Mark
 from rigidtop.mark.task import task

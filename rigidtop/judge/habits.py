@@ -1,0 +1,194 @@
+"""How a text uses its letters: which move, which are functions, vectors, lengths, indices."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import replace
+
+from rigidtop.judge.context import TIME, Habits
+from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS, conjugates
+from rigidtop.judge.meaning import is_component
+from rigidtop.judge.starts import COORDINATES
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.statement import Statement, Unread
+
+
+def functions_of(read: Iterable[Statement | Unread]) -> frozenset[Letter]:
+    """The letters that are written with a place behind them: U(r), V(x)."""
+    return frozenset(
+        node.function
+        for each in read
+        if isinstance(each, Statement)
+        for side in each.sides
+        for node in n.walked(side)
+        if isinstance(node, n.Call) and isinstance(node.function, Letter)
+    )
+
+
+def has_length(read: Iterable[Statement | Unread]) -> bool:
+    """Whether a text uses d as a letter, or as one of a vector."""
+    return any(
+        {Letter("d"), Letter("d", bold=True)} & n.letters(side)
+        for each in read
+        if isinstance(each, Statement)
+        for side in each.sides
+    )
+
+
+def _velocities(read: Sequence[Statement]) -> set[Letter]:
+    """Letters that a product ties to a rate, as ω in R ω = ẋ, and of which an energy has a square.
+
+    Θ̇ = Ω alone is as often a constant rate.
+    """
+    tied: set[Letter] = set()
+    squared: set[Letter] = set()
+    for each in read:
+        for one, other in zip(each.sides, each.sides[1:], strict=False):
+            for side, rates in ((one, other), (other, one)):
+                if isinstance(side, n.Product) and any(
+                    isinstance(x, n.Rate) and x.order == 1 for x in n.walked(rates)
+                ):
+                    tied |= {x for x in side.factors if isinstance(x, Letter)}
+        if each.sides[0] in ENERGIES | {*LAGRANGIANS}:
+            squared |= {
+                x.base
+                for side in each.sides[1:]
+                for x in n.walked(side)
+                if isinstance(x, n.Power) and x.exponent == n.Number("2")
+                if isinstance(x.base, Letter) and x.base.base in "ωv"
+            }
+    return tied & squared
+
+
+def _conjugate(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
+    """The momenta, and the coordinates, of a Hamiltonian of which the other one moves."""
+    names = [
+        frozenset().union(*map(n.letters, each.sides[1:]))
+        for each in read
+        if each.sides[0] in HAMILTONIANS
+    ]
+    pairs = {pair for each in names for pair in conjugates(each)}
+    return {x for pair in pairs for x in pair if {*pair} & {*moving}}
+
+
+def _parameters(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
+    """The letters that move what is said to be a function of them: u in s = 4a sin(u/2)."""
+    given = ((x.sides[0], x.sides[1]) for x in read if x.relations[:1] == ("=",))
+    parameters = set()
+    for name, value in given:
+        letters = n.letters(value)
+        if name in moving and not letters & {*moving, TIME} and not isinstance(value, Letter):
+            places = [x for x in letters if x.base in COORDINATES and not x.sub]
+            parameters |= {*places} if len(places) == 1 else set()
+    return parameters
+
+
+_PLACE = Letter("x")
+
+
+def _curves(read: Sequence[Statement], primed: Collection[Letter]) -> set[Letter]:
+    """The letters with a prime that are given by a place x, as y is in y = c cosh(x/c)."""
+    if _PLACE in primed:
+        return set()  # a prime means other axes
+    return {
+        y
+        for each in read
+        for y in each.sides[:1]
+        if isinstance(y, Letter) and y in primed and _PLACE in n.letters(each.sides[-1])
+    }
+
+
+def habits_of(read: Sequence[Statement]) -> Habits:
+    """How a text uses its letters."""
+    nodes = [node for each in read for side in each.sides for node in n.walked(side)]
+    calls = [x for x in nodes if isinstance(x, n.Call)]
+    running = running_of(read)
+    timed = {x.function for x in calls if x.places == (running,)}
+    timed |= {x.of for x in nodes if isinstance(x, n.Derivative) and x.by == (running,)}
+    moving = {x for x in timed if isinstance(x, Letter)} | {
+        of
+        for x in nodes
+        if isinstance(x, n.Rate) and not _is_function(x.of)
+        for of in [bare(x.of)]
+        if isinstance(of, Letter)
+    }
+    moving |= _velocities(read)
+    moving |= _conjugate(read, moving)
+    moving |= _parameters(read, moving)
+    functions: dict[Letter, tuple[Node, ...]] = {}
+    for call in calls:
+        function = call.function.of if isinstance(call.function, n.Primed) else call.function
+        if not isinstance(function, Letter) or function in moving:
+            continue
+        if call.places != (running,) and all(isinstance(x, Letter) for x in call.places):
+            functions.setdefault(function, call.places)
+    primed = {x.of for x in nodes if isinstance(x, n.Primed) and isinstance(x.of, Letter)}
+    functions |= dict.fromkeys(_curves(read, primed - {*functions} - moving), (_PLACE,))
+    twice = any(isinstance(x, n.Primed) and x.order > 1 and x.of not in functions for x in nodes)
+    dotted = any(isinstance(x, n.Rate) and x.dotted for x in nodes)
+    primes_are_rates = twice and not dotted
+    if primes_are_rates:
+        moving |= primed - {*functions}
+    indices = {x.base for node in nodes if isinstance(node, n.Total) for x in node.index}
+    bold = {x for x in nodes if isinstance(x, Letter) and x.bold}
+    vectors = {x for x in bold if not x.sub}
+    moving |= {x for x in vectors if any(is_component(each, x) for each in moving)}
+    entries = {
+        (each.sides[0], x) for each in read for side in each.sides[1:] for x in n.letters(side)
+    }
+    lengths = {
+        x
+        for x in (replace(each, bold=False) for each in bold if each.sub in {"", *indices})
+        if x not in moving and (replace(x, bold=True), x) not in entries and x.base not in "xyzt"
+    }
+    own = {
+        side
+        for each in read
+        for side in each.sides[:1]
+        if side in (Letter("i"), Letter("e"), Letter("π"))
+    }
+    return Habits(
+        frozenset(moving),
+        functions,
+        frozenset(indices),
+        frozenset(own),
+        primes_are_rates,
+        frozenset(lengths),
+        frozenset(vectors),
+        running,
+    )
+
+
+def running_of(read: Sequence[Statement]) -> Letter:
+    """The letter with which everything moves: φ, if dS/dφ = μS is the first that is said of S.
+
+    It is the time where that stands anywhere, or a rate.
+    """
+    before: frozenset[Letter] = frozenset()
+    running = set()
+    for each in read:
+        nodes = [node for side in each.sides for node in n.walked(side)]
+        if TIME in nodes or any(isinstance(x, n.Rate) for x in nodes):
+            return TIME
+        slopes = [x for x in nodes if isinstance(x, n.Derivative) and not x.partial]
+        running |= {x.by for x in slopes if _is_unknown(x.of, before) and nodes.count(x.of) > 1}
+        before |= frozenset().union(*map(n.letters, each.sides))
+    [by] = running if len(running) == 1 else [(TIME,)]
+    return by[0] if len(by) == 1 and isinstance(by[0], Letter) else TIME
+
+
+def _is_unknown(node: Node, before: Collection[Letter]) -> bool:
+    """Whether it is a letter that occurs for the first time."""
+    return isinstance(node, Letter) and node not in before
+
+
+def _is_function(node: Node) -> bool:
+    """Whether it is written as a function of something else than the time, as F(q)."""
+    return isinstance(node, n.Call) and Letter("t") not in node.places
+
+
+def bare(node: Node) -> Node:
+    while isinstance(node, (n.Rate, n.Group)):
+        node = node.of
+    return node.function if isinstance(node, n.Call) else node

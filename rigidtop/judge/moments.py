@@ -1,0 +1,101 @@
+"""Of which moment each statement of a text speaks."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Collection
+from dataclasses import replace
+
+from rigidtop.judge.context import START
+from rigidtop.judge.habits import bare
+from rigidtop.judge.reading import Read
+from rigidtop.judge.sides import letters_in
+from rigidtop.read.cues import Cue, ends_moment
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.plain import plain
+from rigidtop.tree.statement import Statement, Unread
+
+_STARTS = re.compile(
+    r"\b(start|begin|initial|at first|released|let go|dropped|anfang|zu beginn|losgelassen"
+    r"|début|lâché)",
+    re.I,
+)
+
+
+def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
+    """The instant of which each statement speaks; "" for all times."""
+    made: list[str] = []
+    seen: set[Letter] = {Letter("t"), *moving}
+    sentence, now, resting = -1, "", -1
+    for passage, each in read:
+        resting = passage.sentence if Cue.REST in passage.cues else resting
+        begun = passage.display and resting == passage.sentence
+        over = passage.sentence == sentence and ends_moment(passage.before)
+        if passage.sentence != sentence:
+            sentence, now = passage.sentence, ""
+        if Cue.GENERAL in passage.cues or begun or over:
+            now = ""
+        elif Cue.MOMENT in passage.cues:
+            said = _STARTS.search(f"{passage.before} § {passage.behind}")
+            now = START if said else now or f"s{sentence}"
+        if isinstance(each, Statement) and is_time(each) and now:
+            value = each.sides[1]
+            zero = isinstance(value, n.Number) and value.value == 0
+            now = START if zero else now
+        starts = isinstance(each, Statement) and _is_start(each)
+        now = START if starts and now else now
+        named = not passage.display and _introduces(each, seen)
+        made.append(START if starts else "" if named else now)
+        seen |= letters_in(each) if isinstance(each, Statement) else set()
+    return made
+
+
+def _introduces(each: Statement | Unread, seen: Collection[Letter]) -> bool:
+    """Whether it says what a letter is of which nothing has been said: "at the height h = 2 m"."""
+    if not isinstance(each, Statement) or each.relations != ("=",):
+        return False
+    return isinstance(each.sides[0], Letter) and each.sides[0] not in seen
+
+
+def is_time(statement: Statement) -> bool:
+    """Whether a statement says which moment is meant."""
+    return statement.sides[0] == Letter("t") and statement.relations == ("=",)
+
+
+def instant_at(time_of_it: Node) -> str:
+    """The name of the instant at a time."""
+    return START if time_of_it == n.Number("0") else f"t = {plain(time_of_it)}"
+
+
+def at_one_time(statement: Statement, moving: frozenset[Letter]) -> tuple[Statement, Node | None]:
+    """A statement such as x(0) = a as one of x, with the time at which it is said of it."""
+    calls = {
+        node
+        for side in statement.sides
+        for node in n.walked(side)
+        if isinstance(node, n.Call) and bare(node.function) in moving
+    }
+    times = {node.places for node in calls}
+    inside = Counter(x for node in calls for x in n.walked(node) if x in moving)
+    everywhere = {x for side in statement.sides for x in n.letters(side)} & moving
+    if len(times) != 1 or everywhere - {*inside}:
+        return statement, None
+    [places] = times
+    if len(places) != 1 or not isinstance(places[0], n.Number):
+        return statement, None
+
+    def now(node: Node) -> Node:
+        return node.function if isinstance(node, n.Call) and node in calls else node
+
+    sides = tuple(n.mapped(side, now) for side in statement.sides)
+    return replace(statement, sides=sides), places[0]
+
+
+def _is_start(statement: Statement) -> bool:
+    """Whether a letter is given its own value with a 0 below: θ = θ₀."""
+    if statement.relations != ("=",):
+        return False
+    left, right = statement.sides
+    return isinstance(left, Letter) and not left.sub and right == replace(left, sub="0")

@@ -1,0 +1,124 @@
+"""The statements of a text, read with the functions and the letters of the whole."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from functools import lru_cache
+from math import inf
+from typing import Final
+
+from rigidtop.judge.habits import functions_of, has_length
+from rigidtop.read.macros import Macro, Macros, customary, defined
+from rigidtop.read.passages import Passage, passages
+from rigidtop.read.statements import statements
+from rigidtop.read.walk import places
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.statement import Statement, Unread
+
+LATE = "the time for the file was over"
+
+Read = list[tuple[Passage, Statement | Unread]]
+_Macros = frozenset[tuple[str, Macro]]
+
+_SHAPES: Final = {"ϕ": "φ", "ϑ": "θ", "ϵ": "ε"}
+"""Letters that are written in two ways."""
+
+
+def read_text(
+    source: str, macros: Macros | None = None, until: float = inf, plain: bool = False
+) -> tuple[Read, Callable[[int], tuple[int, int]]]:
+    """The statements of a text with their passages, and what tells the line of a position.
+
+    With `plain` mathematics outside of dollars is read too.
+    """
+    around = passages(source, plain)
+    known = defined(source, {**customary(source), **(macros or {})})
+    return statements_of(around, known, until), places(source)
+
+
+def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -> Read:
+    """What each formula states, read with the functions of the whole text."""
+    if any(_POINT.search(passage.text) for passage in text):
+        text = [replace(x, text=_THOUSANDS.sub(_closed_up, x.text)) for x in text]
+    own = frozenset(macros.items())
+    once = [each for passage in text for each in _read(passage, own, until)]
+    known, lettered = functions_of(once), has_length(once)
+    read = [
+        (passage, each) for passage in text for each in _read(passage, own, until, known, lettered)
+    ]
+    table = str.maketrans(_shapes(each for _, each in read))
+    return [(passage, _folded(each, table)) for passage, each in read] if table else read
+
+
+_POINT = re.compile(r"\d\.\d")
+_THOUSANDS = re.compile(r"(?<![\d.])\d{1,3}(?:\{,\}\d{3})+(?!\d)")
+"""A comma between thousands, where a point stands before decimals."""
+
+
+def _closed_up(match: re.Match[str]) -> str:
+    """A number without commas, and as long as before."""
+    return match[0].replace("{,}", "").ljust(len(match[0]))
+
+
+def _read(
+    passage: Passage,
+    macros: _Macros,
+    until: float,
+    functions: frozenset[Letter] = frozenset(),
+    lettered: bool = False,
+) -> Sequence[Statement | Unread]:
+    if time.process_time() > until:
+        return (Unread(0, LATE),)
+    return _statements(_whole(passage), macros, functions, lettered)
+
+
+@lru_cache(maxsize=5_000)
+def _statements(
+    text: str, macros: _Macros, functions: frozenset[Letter], lettered: bool
+) -> Sequence[Statement | Unread]:
+    """What a formula states; of a text that is read again, only what is new is gone through."""
+    return statements(text, dict(macros), functions, lettered)
+
+
+def _whole(passage: Passage) -> str:
+    """The text of a formula; the word "const" behind its last sign is its last side."""
+    if not passage.display and "\\" not in passage.text:
+        return re.sub(r"_([A-Za-z]{2,})", r"_{\1}", passage.text)
+    if re.search(r"(=|≡|≈|\\equiv|\\approx)\s*$", passage.text) and re.match(
+        r"\W*[ck]onst", passage.behind
+    ):
+        return passage.text + r"\mathrm{const}"
+    return passage.text
+
+
+def _shapes(read: Iterable[Statement | Unread]) -> dict[str, str]:
+    """Which shapes of letters stand for which others: those of which a text has but one."""
+    bases = {
+        letter.base
+        for each in read
+        if isinstance(each, Statement)
+        for side in each.sides
+        for letter in n.letters(side)
+    }
+    return {one: other for one, other in _SHAPES.items() if not {one, other} <= bases}
+
+
+def _folded(each: Statement | Unread, table: dict[int, str]) -> Statement | Unread:
+    """A statement with other shapes of its letters, in its indices too."""
+    if isinstance(each, Unread):
+        return each
+
+    def change(node: Node) -> Node:
+        if not isinstance(node, Letter):
+            return node
+        return replace(node, base=node.base.translate(table), sub=node.sub.translate(table))
+
+    return replace(
+        each,
+        sides=tuple(n.mapped(side, change) for side in each.sides),
+        conditions=tuple(_folded(x, table) for x in each.conditions),  # type: ignore[misc]
+    )
