@@ -32,6 +32,8 @@ def letters(question: Question) -> Judgement | None:
     if new and is_worked_out(question) and not question.moves(*question.gaps):
         return None  # it holds whatever they are
     kind = SETTING if question.at.supposed else PREMISE
+    if new and _are_zero(question, new, kind):
+        return None
     if not new:
         if not _brings_a_function(question):
             return None
@@ -56,6 +58,15 @@ def letters(question: Question) -> Judgement | None:
         return brings(question, new), context.defining(square, root)
     known = replace(context, results=context.results | _results(question, new))
     return brings(question, new), known.holding(question.constraint(kind))
+
+
+def _are_zero(question: Question, new: Sequence[Letter], kind: str) -> bool:
+    """Whether it can only hold if the new letters, which stand in each term, are zero."""
+    nothing = {alone(x): 0 for x in new if not is_vector(x)}
+    if len(nothing) < len(new) or any(gap.subs(nothing) != 0 for gap in question.gaps):
+        return False
+    known = question.context.holding(question.constraint(kind))
+    return not question.of(question.both, known).worlds.count
 
 
 def _square(question: Question) -> Letter | None:
