@@ -39,7 +39,7 @@ def letters(question: Question) -> Judgement | None:
             return None
         outcome = Outcome("premise", "it brings a function", question.rests_on_meaning)
         return outcome, context.holding(question.constraint(kind))
-    if len(new) == 1 and _rate_follows(question, new[0]):
+    if len(new) == 1 and _rate_follows(question, new[0]) and _begins_so(question, new[0]):
         words = f"{in_words(new[0])} is a constant of integration"
         outcome = Outcome(SAMPLED, words, question.rests_on)
         return outcome, context.holding(question.constraint(PREMISE))
@@ -129,6 +129,17 @@ def _rate_follows(question: Question, letter: Letter) -> bool:
     if not speaks or not any(rates):
         return False
     return question.of([(r, 0 * r) for r in rates]).holds()
+
+
+def _begins_so(question: Question, letter: Letter) -> bool:
+    """Whether v₀ is what v is at t = 0, where the line has both and the time."""
+    value = replace(letter, sub="")
+    if letter.sub != "0" or value not in question.moving:
+        return True
+    start = {alone(value): alone(letter), TIME: 0}
+    timed = [gap for gap in question.gaps if gap.has(TIME) and gap.has(alone(value))]
+    begun = [gap.subs(start, simultaneous=True) for gap in timed]
+    return all(question.moves(x) or x.equals(0) for x in begun)
 
 
 def _solved(question: Question, letter: Letter) -> Node | None:

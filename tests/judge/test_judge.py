@@ -492,6 +492,14 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 . \mathbf d = (R, R, 0)
 + d^2m = 2R^2m
 - d^2m = 3R^2m
+
+# a constant that has the name of a start
+. m\dot v = -bv^2
++ \frac1v - \frac1{v_0} = \frac{bt}m
+
+# a constant that has the name of a start, and is none
+. m\dot v = -bv^2
+. \frac1v + \frac1{v_0} = \frac{bt}m
 """
 """A line that begins with "." is taken as it stands, one with "+" follows, and one with "~" nearly.
 
