@@ -16,7 +16,7 @@ from rigidtop.judge.meaning import Meant, is_component, is_vector
 from rigidtop.judge.outcome import DEFINITION, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes
-from rigidtop.judge.sides import letters_of, own_letters
+from rigidtop.judge.sides import ZERO, letters_of, own_letters
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
@@ -63,7 +63,8 @@ def letters(question: Question) -> Judgement | None:
 def _are_zero(question: Question, new: Sequence[Letter], kind: str) -> bool:
     """Whether it can only hold if the new letters, which stand in each term, are zero."""
     nothing = {alone(x): 0 for x in new if not is_vector(x)}
-    if len(nothing) < len(new) or any(gap.subs(nothing) != 0 for gap in question.gaps):
+    said = question.right == ZERO or len(nothing) < len(new)  # x = 0 says just that
+    if said or any(gap.subs(nothing) != 0 for gap in question.gaps):
         return False
     known = question.context.holding(question.constraint(kind))
     return not question.of(question.both, known).worlds.count
