@@ -6,11 +6,14 @@ from collections import Counter
 from dataclasses import replace
 
 from rigidtop.judge.context import SETTING, START, Constraint, Context
-from rigidtop.judge.sides import is_setting, letters_in
+from rigidtop.judge.sides import is_setting, letters_in, moving_in, named
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import COORDINATES
 from rigidtop.tree.nodes import Letter, Node, Number, Rate, mapped
 from rigidtop.tree.statement import Statement
+
+_RADII = frozenset("rρ")
+"""What stays the same on a circle."""
 
 
 def placed(statement: Statement, at: Situation, context: Context) -> Context | None:
@@ -20,8 +23,12 @@ def placed(statement: Statement, at: Situation, context: Context) -> Context | N
     """
     instant = at.instant or (START if at.begins else "")
     names_it = is_setting(statement.sides[0], statement.sides[-1], ())
-    somewhere = instant or at.balanced or at.circular or (at.vanishes and context.said is not None)
-    if names_it or not somewhere:
+    zero = context.said if at.vanishes else None
+    still = _still(at, context)
+    somewhere = instant or at.balanced or at.circular or zero is not None
+    # Where each of its terms vanishes a line would say nothing.
+    rates = moving_in(statement) & {*still}
+    if names_it or rates or not somewhere or _speaks_of(statement, zero):
         return None
     fixed = frozenset().union(*(each.letters for each in context.constraints))
     known = fixed | context.definitions.keys() | context.given | context.declared
@@ -32,13 +39,24 @@ def placed(statement: Statement, at: Situation, context: Context) -> Context | N
             continue
         value = Constraint(name, letter, at.number, SETTING, at.scope, instant, at.sentence)
         context = context.holding(value)
-    if at.vanishes and context.said is not None:
-        zero = Constraint(context.said, Number("0"), at.number, SETTING, at.scope, "", at.sentence)
-        context = context.holding(zero)
-    still = COORDINATES if at.balanced else _RADII if at.circular else frozenset()
-    for letter in sorted(context.habits.moving - context.definitions.keys(), key=str):
-        context = _still(letter, at, context) if letter.base in still else context
+    zeros: list[Node] = [] if zero is None else [zero]
+    zeros += [Rate(letter, order, True) for letter in still for order in (1, 2)]
+    for side in zeros:
+        none = Constraint(side, Number("0"), at.number, SETTING, at.scope, "", at.sentence)
+        context = context.holding(none)
     return context
+
+
+def _speaks_of(statement: Statement, side: Node | None) -> bool:
+    """Whether the letter that a side is stands in a statement."""
+    return side is not None and named(side)[0] in letters_in(statement)
+
+
+def _still(at: Situation, context: Context) -> list[Letter]:
+    """The coordinates that do not change where the words say that a motion is."""
+    bases = COORDINATES if at.balanced else _RADII if at.circular else frozenset()
+    moving = context.habits.moving - context.definitions.keys()
+    return sorted((x for x in moving if x.base in bases), key=str)
 
 
 def with_rates(statement: Statement, context: Context) -> Statement:
@@ -52,15 +70,3 @@ def with_rates(statement: Statement, context: Context) -> Statement:
         return node
 
     return replace(statement, sides=tuple(mapped(side, change) for side in statement.sides))
-
-
-_RADII = frozenset("rρ")
-
-
-def _still(letter: Letter, at: Situation, context: Context) -> Context:
-    """What is known where a coordinate does not change."""
-    for order in (1, 2):
-        rate = Rate(letter, order, True)
-        still = Constraint(rate, Number("0"), at.number, SETTING, at.scope, "", at.sentence)
-        context = context.holding(still)
-    return context

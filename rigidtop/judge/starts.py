@@ -10,7 +10,8 @@ from rigidtop.tree.nodes import Letter, Node, Number, Rate
 COORDINATES = frozenset("xyzrsqhuldℓηξζθφψαβγδχρσ")
 _SPEEDS = frozenset("vω")
 """What these letters stand for where something has a rate: places and angles, and how fast."""
-ENERGIES = (Letter("E"), Letter("ℰ"))
+_TOTALS = (Letter("E"), Letter("ℰ"))
+"""Letters of the whole energy."""
 _EULER = frozenset({Letter("φ"), Letter("θ"), Letter("ψ")})
 
 
@@ -31,7 +32,7 @@ def at_rest(context: Context, number: int, scope: tuple[int, ...]) -> Context:
 
 def with_energy(context: Context, number: int, scope: tuple[int, ...]) -> Context:
     """What is known where energy is conserved."""
-    for letter in ENERGIES:
+    for letter in _TOTALS:
         if letter in context.definitions:
             kept = Constraint(Rate(letter, 1, True), Number("0"), number, SETTING, scope)
             return context.holding(kept)

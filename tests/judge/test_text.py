@@ -292,6 +292,20 @@ def test_a_letter_may_be_explained_behind(behind, sign, verdict):
     assert [row.number for row in rows] == [0, 1, 2]
 
 
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        ("In equilibrium", r"m\ddot x = -2k\dot x"),
+        ("On a circle", r"m\ddot r = -2k\dot r"),
+        ("$F = ax - bx^3$. It vanishes at", "F = 3F"),
+    ],
+)
+def test_what_vanishes_in_each_of_its_terms_does_not_follow(words, line):
+    L = r"$$L = \frac12m(\dot x^2 + \dot r^2 + r^2\dot\phi^2) - \frac12kx^2 + \frac kr$$"
+    *_, row = judged(f"{L}\n{words}\n$${line}$$")
+    assert not row.outcome.passed
+
+
 def test_in_a_single_world_no_slip_is_found(monkeypatch):
     found = worlds.found
 
