@@ -90,8 +90,8 @@ def _square(gap: Expr, question: Question) -> Expr | None:
     small = linear or (question.at.small and question.of([(here, 0 * here)]).holds())
     if gap.diff(rate).subs(rest) != 0 or not small:
         return None
-    inertia = gap.diff(acceleration).subs(rest)
-    return gap.diff(q).subs(rest) / inertia if inertia != 0 else None
+    inertia, stiffness = (gap.diff(x).subs(rest) for x in (acceleration, q))
+    return stiffness / inertia if inertia != 0 != stiffness else None
 
 
 def _agrees(question: Question, square: Expr, both: Sequence[Pair], worlds: Worlds) -> bool:

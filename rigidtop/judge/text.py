@@ -187,6 +187,8 @@ def _step(
         context = replace(context, instants={**context.instants, at.instant: each.sides[1]})
         return row(Outcome(DEFINITION, "a moment")), context
     outcome, context = in_time(judge, each, at, context, until)
+    if Cue.CONSERVED in passage.cues and outcome.verdict == DEFINITION:
+        context = with_energy(context, asked.number, passage.scope)
     return row(outcome, at), context
 
 

@@ -382,6 +382,19 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 + \tau = 2\pi\sqrt{\frac{AB}{cB + h^2}}
 - \tau = 2\pi\sqrt{\frac{AB}{c + h^2}}
 
+# a period beside a fall
+. \ddot y = -g
+. \ddot u = -\frac kmu
+> The period of u is
++ \tau = 2\pi\sqrt{\frac mk}
+- \tau = 2\pi\sqrt{\frac km}
+
+# an energy that is conserved, and what it is
+> The energy is conserved, and it is
+. E = \frac12m\dot y^2 + mgy
++ \ddot y = -g
+- \ddot y = -2g
+
 # the frequency of small oscillations
 . J\ddot\phi = (m_2b - m_1a)g\cos\phi - Mgs\sin\phi
 > When the children balance, $m_1a = m_2b$, small swings have
