@@ -695,7 +695,7 @@ return middle(row.querySelector(".seal")) - middle(signs.at(-1))"""
 
 def test_a_mark_stands_at_the_sign_of_the_last_line(projector):
     """Also where a brace hangs beneath that."""
-    for place in ("3-37", "3-49", "3-57"):
+    for place in ("3-37", "3-49", "3-57", "3.57"):
         projector.execute_script(f"location.replace('#{place}')")
         assert abs(projector.execute_script(MARK)) < 2
 

@@ -42,12 +42,13 @@
     if (event.clientX < view.clientWidth / 4) back();
     else forth();
   });
-  // #68.6 is a line of a slide, #claim-3-57 or #3-57 an equation, which is uncovered, #3-5-3 a section.
+  // #68.6 is a line of a slide, #3.57 or #3-57 an equation, which is uncovered, #3-5-3 a section.
   const open = () => {
     const name = location.hash.slice(1);
+    const number = name.replace(".", "-");
     const at = /^(\d+)\.(\d+)$/.exec(name);
-    if (at) return show(at[1] - 1, Number(at[2]));
-    const ids = [name, `claim-${name}`, `section-${name}`].map((id) => document.getElementById(id));
+    if (at && !document.getElementById(`claim-${number}`)) return show(at[1] - 1, Number(at[2]));
+    const ids = [name, `claim-${number}`, `section-${name}`].map((id) => document.getElementById(id));
     const to = slides.findIndex((slide) => ids.some((each) => each && slide.contains(each)));
     if (to < 0) {
       show(Math.max(part, 0), Math.max(line, 1));
