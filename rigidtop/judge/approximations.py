@@ -9,6 +9,7 @@ from functools import partial
 from rigidtop.judge import definitions, worth
 from rigidtop.judge.context import LINEAR, Limit
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, Slip, slip
+from rigidtop.judge.implicit import implicit, solves_nearly
 from rigidtop.judge.jets import jet_of, jets
 from rigidtop.judge.meaning import UnclearError
 from rigidtop.judge.numbers import are_numbers, compared
@@ -34,7 +35,8 @@ def judged(question: Question) -> Judgement:
     """The outcome of ≈; raises UnclearError."""
     defined = definitions.definition(question, question.left, question.right)
     if defined is not None:
-        return defined
+        root = _nearly_root(question)
+        return defined if root is None else (root, defined[1])
     context = question.context
     if all(are_numbers(*pair) for pair in question.meant):
         sides = question.left, question.right
@@ -47,6 +49,9 @@ def judged(question: Question) -> Judgement:
     wrong = near_slip(question)
     if wrong is not None:
         return wrong.outcome, context
+    root = _nearly_root(question)
+    if root is not None:
+        return root, context
     apart = _differ(question)
     if apart is not None:
         return apart, context
@@ -102,6 +107,23 @@ def said(question: Question) -> Judgement | None:
     return outcome if wrong is None else (wrong.outcome, wrong.context)
 
 
+def _nearly_root(question: Question) -> Outcome | None:
+    """What becomes of a value that a letter nearly has, where an equation above fixes it."""
+    equations = [*implicit(question)]
+    for each in equations:
+        found = [each.nearly_solved(right, _scalings) for _, right in each.question.both]
+        if found and all(found):
+            words = found[0].words  # type: ignore[union-attr]
+            rests_on = frozenset({each.rests_on})
+            return Outcome(ASSUMING, f"for {words}", rests_on, conditions=(words,))
+    for each in equations:
+        alike = partial(solves_nearly, each, _scalings)
+        wrong = slip(each.question, alike, "\\approx", most=NEARLY_ALIKE)
+        if wrong is not None:
+            return replace(wrong.outcome, rests_on=frozenset({each.rests_on}))
+    return None
+
+
 def near_slip(question: Question) -> Slip | None:
     """The one change with which the sides become alike."""
     alike = partial(_is_alike, question)
@@ -136,8 +158,10 @@ def _scalings(question: Question, worlds: Worlds) -> list[Scaling]:
     if limits:
         tending = (tending_to(x.letter, x.large, worlds) for x in limits)
         return [each for each in tending if each is not None]
-    which = "small" if question.at.small else "large" if question.at.large else ""
+    which = "large" if question.at.large else "small" if question.at.small else ""
     usual = _scaled(question, worlds, which)
+    if question.at.large and question.at.small:
+        usual += _scaled(question, worlds, "small")
     if which == "large" and question.at.closed:
         usual += [x for x in _scaled(question, worlds, "small") if _is_of_own(question, x)]
     return [*_little(question, worlds), *usual]

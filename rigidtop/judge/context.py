@@ -132,6 +132,8 @@ class Context:
     """What letters are said to be in lines that are left open."""
     accelerations: tuple[Constraint, ...] = ()
     """Equations of motion that have been said."""
+    followed: tuple[Constraint, ...] = ()
+    """The latest equations that have been found to follow."""
     little: tuple[frozenset[Letter], ...] = ()
     """Letters that are said to be much smaller than others, together at a time."""
     limits: tuple[Limit, ...] = ()
@@ -200,12 +202,14 @@ class Context:
         }
         open_here = tuple(each for each in self.open if is_open(each.scope, scope))
         moved = tuple(each for each in self.accelerations if is_open(each.scope, scope))
+        followed = tuple(each for each in self.followed if is_open(each.scope, scope))
         return replace(
             self,
             constraints=kept,
             definitions=definitions,
             open=open_here,
             accelerations=moved,
+            followed=followed,
             limits=tuple(each for each in self.limits if each.sentence == sentence),
         )
 

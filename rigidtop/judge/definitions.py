@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sympy import MatrixBase
+from sympy import MatrixBase, Symbol
 
 from rigidtop.judge.context import Definition
 from rigidtop.judge.jets import TIME
@@ -13,7 +13,7 @@ from rigidtop.judge.meaning import UnclearError, Value, is_vector
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import DEFINITION, Outcome
 from rigidtop.judge.question import Judgement, Question
-from rigidtop.judge.sides import named, own_letters, speaks_of
+from rigidtop.judge.sides import letters_of, named, own_letters, speaks_of
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
@@ -46,6 +46,8 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
         return None  # a place where it may be
     if name is question.right and question.moves(value):
         return None  # x + y = s ties x to y, and s is what it is
+    if _stays(question, letter, value):
+        return None  # put into a Lagrangian, it would hide how the letter moves
     if is_vector(letter) and not isinstance(value, MatrixBase) and value != 0:
         raise UnclearError("one side is a vector, the other is a number")
     at, node = question.at, signed(other, question.signs[0])
@@ -55,6 +57,14 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     why = f"what {in_words(name)} stands for"
     brings = frozenset({in_words(letter)})
     return Outcome(DEFINITION, why, frozenset(meaning.used), brings=brings), known
+
+
+def _stays(question: Question, letter: Letter, value: Value) -> bool:
+    """Whether a letter that a law moves is said to stay at a value with a name, as in θ = θ₀."""
+    named = isinstance(value, Symbol) and not question.moves(value)
+    return named and any(
+        letter in letters_of(each.expression) and each.constraint is None for each in question.pool
+    )
 
 
 def _is_case(question: Question, letter: Letter, node: Node) -> bool:

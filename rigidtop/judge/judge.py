@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
-from rigidtop.judge import approximations, bounds, equality, places, roots
+from rigidtop.judge import approximations, bounds, equality, places, roots, states
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import Constraint, Context, Definition
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
@@ -88,8 +88,15 @@ class Judge:
         usual = self._in_context(statement, situation, context)
         if situation.balanced:
             situation = replace(situation, instant="")
+        if usual[0].passed:
+            return usual
+        between = states.stated(statement, situation, context)
+        if between is not None:
+            outcome, _ = self._in_context(statement, situation, between)
+            if outcome.passed or outcome.slip:
+                return outcome, usual[1]
         there = places.placed(statement, situation, context)
-        if there is None or usual[0].passed:
+        if there is None:
             return usual
         statement = places.with_rates(statement, context)
         outcome, after = self._in_context(statement, situation, there)

@@ -154,6 +154,8 @@ def _solved(question: Question, letter: Letter) -> Node | None:
         return None  # in J θ̈ = … what is new is a constant
     if question.left == letter and slope == 1:
         return question.right
+    if question.right == letter and question.left in question.moving:
+        return None  # what moves stays at it
     if isinstance(question.left, n.Rate) or (gap.has(TIME) and question.moves(gap)):
         return None  # it makes something move, and stays what it is
     return Meant(-gap.subs(x, 0) / slope)

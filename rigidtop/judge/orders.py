@@ -90,6 +90,12 @@ def differ(
     return bool(((last > LITTLE) & (last >= STAYS * before)).all())
 
 
+def share(left: Expr, right: Expr, worlds: Worlds, scaling: Scaling) -> NDArray[np.float64]:
+    """By which share of the larger one both sides differ at the last step."""
+    gap = _gap(left, right, (), worlds, scaling, STEPS - 1)
+    return np.full(worlds.count, np.inf) if gap is None else gap
+
+
 def small_together(letters: frozenset[Letter], worlds: Worlds) -> Scaling | None:
     """What is said to be small together, with its rates."""
     small = [x for x in worlds.letters if (jet := jet_of(x)) is not None and jet.letter in letters]

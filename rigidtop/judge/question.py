@@ -11,7 +11,7 @@ from functools import cached_property
 from sympy import Expr
 
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import SETTING, Constraint, Context, Definition
+from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, Definition
 from rigidtop.judge.jets import Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import Residual, moved, residuals, surrounding
 from rigidtop.judge.meaning import (
@@ -38,6 +38,9 @@ Judgement = tuple[Outcome, Context]
 MOST_GIVEN_UP = 4
 """So many premises are given up, the oldest first, where they do not hold together."""
 
+
+MOST_FOLLOWED = 8
+"""So many equations that followed are remembered."""
 
 ALL_SLIPS_SECONDS = 12.0
 """How long slips are looked for in a whole text (s, of the processor's time)."""
@@ -309,7 +312,9 @@ class Question:
             definition = context.definitions[letter]
             also = (*definition.also, self.right)
             context = context.defining(letter, replace(definition, also=also))
-        context = replace(context, supported=context.supported | self.rests_on)
+        followed = (*context.followed, self.constraint(PREMISE))[-MOST_FOLLOWED:]
+        supported = context.supported | self.rests_on
+        context = replace(context, supported=supported, followed=followed)
         return Outcome(SAMPLED, "", self.rests_on), context
 
     def is_kept(self, both: Sequence[Pair]) -> bool:

@@ -18,6 +18,7 @@ from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import LATE, Read, read_text
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import at_rest, with_energy
+from rigidtop.judge.states import kept
 from rigidtop.read.cues import Cue
 from rigidtop.read.declared import declared
 from rigidtop.read.macros import Macros
@@ -177,6 +178,9 @@ def _step(
         context = at_rest(context, asked.number, passage.scope)
     if Cue.CONSERVED in passage.cues:
         context = with_energy(context, asked.number, passage.scope)
+    for cue in (Cue.KEPT, Cue.MOMENTUM_KEPT):
+        if cue in passage.cues:
+            context = kept(context, asked.number, passage.scope, cue == Cue.MOMENTUM_KEPT)
     each, time_of_it = at_one_time(each, read.habits.moving)
     if time_of_it is not None:
         moment = instant_at(time_of_it)
@@ -189,6 +193,8 @@ def _step(
     outcome, context = in_time(judge, each, at, context, until)
     if Cue.CONSERVED in passage.cues and outcome.verdict == DEFINITION:
         context = with_energy(context, asked.number, passage.scope)
+    if Cue.CONSTANT in passage.cues and outcome.verdict == DEFINITION:
+        context = kept(context, asked.number, passage.scope, False)
     return row(outcome, at), context
 
 

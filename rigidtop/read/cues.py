@@ -12,6 +12,7 @@ a letter or another formula, and ¶ for the end of a title.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from enum import Enum, auto
 
 
@@ -50,6 +51,10 @@ class Cue(Enum):
     """Something is divided by it."""
     CONSERVED = auto()
     """Since the statement before it is said that energy is conserved."""
+    KEPT = auto()
+    """Since the statement before it is said that what that speaks of is conserved."""
+    MOMENTUM_KEPT = auto()
+    """The same of a momentum."""
     VANISHING = auto()
     """What was spoken of before vanishes there: "it is zero for"."""
     CIRCLE = auto()
@@ -411,9 +416,37 @@ _KEPT = re.compile(
 )
 
 
-def keeps_energy(words: str) -> bool:
-    """Whether words say that energy is conserved."""
-    return _KEPT.search(words) is not None
+_STAYS = (
+    r"(?:(?:is|stays|remains|ist|bleibt|est|reste)(?: \w+){0,2}? (?:conserved|constant|unchanged"
+    r"|the same|erhalten|konstant|unverändert|conservée?|constante?)|(?:does not|cannot) change"
+    r"|se conserve|ändert sich nicht)\b"
+)
+_IT_STAYS = re.compile(
+    rf"\b(?:it|this|which|that|quantity|product|ratio|sum|(?:adiabatic )?invariant|er|sie|es|dies"
+    rf"|elle|il|cette quantité) {_STAYS}",
+    re.I,
+)
+_MOMENTUM_STAYS = re.compile(
+    rf"\b(?:momentum|\w*[Ii]mpuls|\w*Drall|moment cinétique)(?: [\w'-]+){{0,5}}? {_STAYS}"
+    r"|\b(?:conservation of (?:\w+ )?momentum|\w*[Ii]mpulserhaltung|conservation du moment)\b",
+    re.I,
+)
+
+
+def kept(words: str) -> Iterator[Cue]:
+    """What words say to be conserved: energy, a momentum, what was spoken of.
+
+    >>> [cue.name for cue in kept("and it is conserved while the string is pulled in")]
+    ['KEPT']
+    >>> [cue.name for cue in kept("The angular momentum of the disc stays the same:")]
+    ['MOMENTUM_KEPT']
+    """
+    patterns = {
+        Cue.CONSERVED: _KEPT,
+        Cue.KEPT: _IT_STAYS,
+        Cue.MOMENTUM_KEPT: _MOMENTUM_STAYS,
+    }
+    return (cue for cue, pattern in patterns.items() if pattern.search(words))
 
 
 def ends_moment(before: str) -> bool:

@@ -18,7 +18,7 @@ from rigidtop.read.cues import (
     cues,
     ends_moment,
     enumerates,
-    keeps_energy,
+    kept,
     passed_on,
     unequal,
 )
@@ -73,8 +73,7 @@ def _said(words: str) -> Iterator[Cue]:
     """What words say of all that follows."""
     if begins_at_rest(words):
         yield Cue.REST
-    if keeps_energy(words):
-        yield Cue.CONSERVED
+    yield from kept(words)
 
 
 def _completed(passage: Passage) -> Passage:
