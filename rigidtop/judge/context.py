@@ -50,6 +50,10 @@ FORCED = "forced"
 """Or Lagrange's equation with a force that the Lagrangian does not have."""
 
 
+RULE = "rule"
+"""Or what holds of each coordinate, written for any one."""
+
+
 @dataclass(frozen=True, eq=False)
 class Constraint:
     """Two sides that are equal, for all times or at one `instant`."""

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from sympy import MatrixBase, Symbol
 
-from rigidtop.judge.context import Definition
+from rigidtop.judge.context import RULE, Definition
 from rigidtop.judge.jets import TIME
 from rigidtop.judge.laws import ENERGIES
 from rigidtop.judge.meaning import UnclearError, Value, is_vector
@@ -111,7 +111,9 @@ def again(question: Question) -> Judgement | None:
     if speaks_of(value, letter) or isinstance(value, MatrixBase) != is_vector(letter):
         return None
     kept = tuple(
-        c for c in context.constraints if letter not in n.letters(c.left) | n.letters(c.right)
+        c
+        for c in context.constraints
+        if c.kind == RULE or letter not in n.letters(c.left) | n.letters(c.right)
     )
     newer = Definition(question.right, at.number, at.scope, places)
     known = replace(context, constraints=kept).defining(letter, newer)
@@ -143,4 +145,6 @@ def _may_be_another(question: Question, older: Definition) -> bool:
     # A property, as a moment of inertia, is another body's; what moves is a special motion.
     moves = question.moves(*(x for pair in question.meant for x in pair))
     other = at.supposed and at.inline and not (moves or at.small or at.large)
-    return not within or (not question.inner and (said or other or at.anew))
+    both = isinstance(older.node, Letter) and isinstance(question.right, Letter)
+    named = both and at.supposed and at.inline  # for q = x, and for q = y
+    return not within or (not question.inner and (said or other or named or at.anew))

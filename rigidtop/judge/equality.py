@@ -44,6 +44,9 @@ def _judged(question: Question) -> Judgement:
     origin = settings.origin(question)
     if origin is not None:
         return origin
+    rule = novelties.rule(question)
+    if rule is not None:
+        return rule
     defined = definitions.definition(question, left, right)
     defined = defined or definitions.definition(question, right, left)
     if defined is not None:
@@ -189,6 +192,7 @@ def _judged_new(question: Question, holds: bool | None) -> Judgement:
         _one_root(question)
         or definitions.again(question)
         or settings.place(question)
+        or settings.number(question)
         or novelties.letters(question)
         or settings.setting(question)
         or settings.chosen(question)

@@ -250,7 +250,10 @@ def _righted(question: Question, change: Change) -> Context:
 
 
 def missing_term(question: Question) -> Outcome | None:
-    """One term that is missing, of letters that the statement has."""
+    """One term that is missing, of letters that the statement has, or that are near.
+
+    Where it is not said to follow, as few as two terms may be of another problem.
+    """
     if len(question.both) != 1 or not question.worlds.count or question.path is not None:
         return None
     left, right = question.both[0]
@@ -258,9 +261,17 @@ def missing_term(question: Question) -> Outcome | None:
     tops = highest(question.equations)
     gap = _solved_for(tops, question.equations, left - right)
     moves = any(left.has(x) or right.has(x) for x in tops) or _differentiates(question)
-    if not moves or count < 3 or gap is None or not _is_monomial(gap) or not question.rests_on:
+    derived = question.at.derived
+    if (
+        not moves
+        or count < (2 if derived else 3)
+        or gap is None
+        or not _is_monomial(gap)
+        or not question.rests_on
+    ):
         return None
-    if not letters_of(gap) <= own_letters(question.left) | own_letters(question.right):
+    own = own_letters(question.left) | own_letters(question.right)
+    if not letters_of(gap) <= (own | _near(question) if derived else own):
         return None
     term = written(-gap)
     if question.right == ZERO:

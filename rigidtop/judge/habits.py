@@ -74,11 +74,12 @@ def _conjugate(read: Sequence[Statement], moving: Collection[Letter]) -> set[Let
 
 def _parameters(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
     """The letters that move what is said to be a function of them: u in s = 4a sin(u/2)."""
-    given = ((x.sides[0], x.sides[1]) for x in read if x.relations[:1] == ("=",))
+    given = [(x.sides[0], x.sides[1]) for x in read if x.relations[:1] == ("=",)]
     parameters = set()
+    driven = {*moving, TIME} | {name for name, value in given if n.letters(value) & {*moving}}
     for name, value in given:
         letters = n.letters(value)
-        if name in moving and not letters & {*moving, TIME} and not isinstance(value, Letter):
+        if name in moving and not letters & driven and not isinstance(value, Letter):
             places = [x for x in letters if x.base in COORDINATES and not x.sub]
             parameters |= {*places} if len(places) == 1 else set()
     return parameters

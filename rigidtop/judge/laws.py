@@ -11,7 +11,16 @@ from sympy import Expr, Integer, MatrixBase, Symbol
 from sympy.core.function import AppliedUndef
 
 from rigidtop.judge import worlds
-from rigidtop.judge.context import FORCED, LAW, LINEAR, PREMISE, START, Constraint, Context
+from rigidtop.judge.context import (
+    FORCED,
+    LAW,
+    LINEAR,
+    PREMISE,
+    RULE,
+    START,
+    Constraint,
+    Context,
+)
 from rigidtop.judge.jets import (
     TIME,
     Jet,
@@ -33,7 +42,7 @@ from rigidtop.judge.meaning import (
     particles,
     plain,
 )
-from rigidtop.tree.nodes import Derivative, Letter, Negative, Number, Rate, letters
+from rigidtop.tree.nodes import Derivative, Letter, Negative, Number, Rate, letters, mapped
 
 MULTIPLIERS = frozenset({"λ", "μ", "Λ"})
 """Letters that are multipliers where a Lagrangian is linear in them."""
@@ -61,9 +70,37 @@ class Residual:
 
 def residuals(context: Context, memory: Memory, instant: str = "") -> list[Residual]:
     """Everything that vanishes in a context, Lagrange's equations among it; at an instant too."""
-    made = [each for c in context.constraints for each in _of(c, context, memory)]
+    rules = [each for c in context.constraints for each in _for_each(c, context, memory)]
+    made = [each for c in rules for each in _of(c, context, memory)]
     made += [] if context.lawless else lagrange(context, memory, made)
     return then(_linear(made), context, memory, instant)
+
+
+def _for_each(constraint: Constraint, context: Context, memory: Memory) -> Iterable[Constraint]:
+    """A rule for any coordinate q as what it says of each one that the Lagrangian has."""
+    if constraint.kind != RULE:
+        return [constraint]
+    spoken = letters(constraint.left) | letters(constraint.right)
+    names = {x for x in spoken if is_any(x)}
+    try:
+        L, _, _ = lagrangian(context, memory)
+    except UnclearError:
+        return []
+
+    def of(letter: Letter) -> Constraint:
+        sides = (
+            mapped(side, lambda node: letter if node in names else node)
+            for side in (constraint.left, constraint.right)
+        )
+        left, right = sides
+        return replace(constraint, left=left, right=right, kind=FORCED)
+
+    return [of(jet.letter) for jet in coordinates(L)]
+
+
+def is_any(letter: Letter) -> bool:
+    """Whether it stands for any coordinate by its name: q, q_i."""
+    return letter.base == "q" and letter.sub in {"", *"ijklsαν"} and not letter.bold
 
 
 def then(
@@ -119,7 +156,8 @@ def _linear(made: list[Residual]) -> list[Residual]:
     replaced = [
         each
         for each in exact
-        if each.kind in (LAW, FORCED) and {jet.letter for jet in _accelerations(each)} & moved_by
+        if each.kind in (LAW, FORCED, PREMISE)
+        and {jet.letter for jet in _accelerations(each)} & moved_by
     ]
     if any({jet.letter for jet in _accelerations(each)} - moved_by for each in replaced):
         return exact

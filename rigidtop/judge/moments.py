@@ -42,8 +42,9 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
             now = START if said else now or f"s{sentence}"
         if isinstance(each, Statement) and is_time(each) and now:
             value = each.sides[1]
-            zero = isinstance(value, n.Number) and value.value == 0
-            now = START if zero else now
+            if isinstance(value, n.Number) and value.value == 0:
+                now = START
+                made = [START if x == f"s{sentence}" else x for x in made]  # v = 0 at t = 0
         starts = isinstance(each, Statement) and _is_start(each)
         now = START if starts and now else now
         named = not passage.display and _introduces(each, seen)

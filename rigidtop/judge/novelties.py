@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sympy import Basic, Symbol
+from sympy import Basic, Expr, Symbol
 
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import FORCED, LAW, PREMISE, SETTING, Definition
+from rigidtop.judge.context import FORCED, LAW, PREMISE, RULE, SETTING, Definition
 from rigidtop.judge.faults import is_worked_out, slip
-from rigidtop.judge.jets import TIME, jet_of, rate
-from rigidtop.judge.laws import LAGRANGIANS, highest, lagrange
+from rigidtop.judge.jets import TIME, jet_of, jets, rate
+from rigidtop.judge.laws import LAGRANGIANS, highest, is_any, lagrange
 from rigidtop.judge.meaning import Meant, is_component, is_vector
 from rigidtop.judge.outcome import DEFINITION, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
@@ -154,11 +154,37 @@ def _solved(question: Question, letter: Letter) -> Node | None:
         return None  # in J θ̈ = … what is new is a constant
     if question.left == letter and slope == 1:
         return question.right
-    if question.right == letter and question.left in question.moving:
+    if question.right == letter and (question.left in question.moving or _is_kept(letter, gap)):
         return None  # what moves stays at it
     if isinstance(question.left, n.Rate) or (gap.has(TIME) and question.moves(gap)):
         return None  # it makes something move, and stays what it is
     return Meant(-gap.subs(x, 0) / slope)
+
+
+_INTEGRALS = frozenset("hLlℓEcCJDK")
+"""Letters of constants of the motion."""
+
+
+def _is_kept(letter: Letter, gap: Expr) -> bool:
+    """Whether a letter on the right is a constant of the motion by its name: r² φ̇ = h."""
+    orders = [jet.order for jet in jets(gap).values()]
+    return letter.base in _INTEGRALS and max(orders, default=0) == 1
+
+
+def rule(question: Question) -> Judgement | None:
+    """A rule for any coordinate that has more than the Lagrangian in it, as friction."""
+    nodes = [x for side in (question.left, question.right) for x in n.walked(side)]
+    slopes = [x for x in nodes if isinstance(x, n.Derivative)]
+    bare = {x.of if isinstance(x, n.Rate) else x for slope in slopes for x in slope.by}
+    places = {x for x in bare if isinstance(x, Letter) and is_any(x)}
+    functions = {slope.of for slope in slopes if isinstance(slope.of, Letter)}
+    known = question.context.definitions
+    if not places or any(x in known and not isinstance(known[x].node, Letter) for x in places):
+        return None
+    if not functions & {*LAGRANGIANS} or functions <= {*LAGRANGIANS}:
+        return None
+    context = question.context.holding(question.constraint(RULE))
+    return Outcome(PREMISE, "it holds of each coordinate"), context
 
 
 # --- What was free -------------------------------------------------------------------------------

@@ -8,12 +8,12 @@ from dataclasses import replace
 from sympy import Symbol
 
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import PLACE, SETTING
+from rigidtop.judge.context import PLACE, SETTING, Definition
 from rigidtop.judge.jets import TIME, Jet, jet_of
 from rigidtop.judge.numbers import are_numbers
 from rigidtop.judge.outcome import PREMISE, Outcome
 from rigidtop.judge.question import Judgement, Question
-from rigidtop.judge.sides import is_setting, is_start, own_letters
+from rigidtop.judge.sides import is_setting, is_start, letters_of, own_letters
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter
 
@@ -81,6 +81,49 @@ def _may_be_set(question: Question) -> bool:
     if at.derived and not (at.supposed or at.opens or (at.instant and at.inline)):
         return False
     return at.supposed or given
+
+
+def number(question: Question) -> Judgement | None:
+    """A measured value of a letter, of a product of some, or of the cosine of one.
+
+    It is put in: in a world all numbers are of the size of 1.
+    """
+    left, value = question.left, question.right
+    if isinstance(left, n.Apply) and left.name in _INVERSE:
+        left, value = n.ungrouped(left.of), n.Apply(_INVERSE[left.name], value)
+    names = n.parts(left) if isinstance(left, n.Product) else (left,)
+    letters = [x for x in names if isinstance(x, Letter)]
+    context, at = question.context, question.at
+    fixed = {*context.definitions, *question.moving, *context.given}
+    is_free = len(letters) == len(names) and not {*letters} & fixed
+    if not (is_free and at.inline and _is_measured(question)):
+        return None
+    for other in letters[:-1]:
+        value = n.Quotient(value, other)
+    if _is_determined(question, letters[-1]):
+        return None
+    definition = Definition(value, at.number, at.scope, supposed=True)
+    known = context.defining(letters[-1], definition)
+    return Outcome(PREMISE, "a number", question.rests_on_meaning), known
+
+
+_INVERSE = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}
+
+
+def _is_measured(question: Question) -> bool:
+    """Whether the right side is a number with a unit, or with a decimal point."""
+    numbers = all(are_numbers(x, x) for _, x in question.both)
+    parts = [*n.walked(question.right)]
+    return numbers and any(
+        isinstance(x, n.Unit) or (isinstance(x, n.Number) and "." in x.text) for x in parts
+    )
+
+
+def _is_determined(question: Question, letter: Letter) -> bool:
+    """Whether what holds gives the letter a number already."""
+    return any(
+        letters_of(each.expression) == {letter} for each in question.pool if not each.instant
+    )
 
 
 def _is_value(question: Question) -> bool:

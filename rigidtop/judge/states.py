@@ -61,7 +61,9 @@ def stated(statement: Statement, at: Situation, context: Context) -> Context | N
 def _is_kept(constraint: Constraint) -> bool:
     """Whether it says that a letter does not change."""
     left = constraint.left
-    return isinstance(left, Rate) and isinstance(left.of, Letter) and constraint.right == Number("0")
+    return (
+        isinstance(left, Rate) and isinstance(left.of, Letter) and constraint.right == Number("0")
+    )
 
 
 def two_states(names: Iterable[Letter], known: Iterable[Letter]) -> Mapping[Letter, Letter]:

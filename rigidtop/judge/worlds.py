@@ -161,8 +161,9 @@ def _found(
             break
     if not every.size:
         return Worlds(tuple(letters), every)
-    # A place where something happens to vanish says less than one where nothing does.
-    vanishing = zero.sum(axis=0)
+    # A place where something happens to vanish says less than one where nothing does, or only
+    # the rate of it.
+    vanishing = np.array([4 - min(_order(x), 3) for x in letters]) @ zero
     chosen = vanishing == vanishing.min()
     chosen = chosen & real if (chosen & real).sum() >= 2 else chosen
     return Worlds(tuple(letters), every[:, chosen][:, :WORLDS])

@@ -352,7 +352,9 @@ _CHOSEN = re.compile(
     r"\b(?:let|choose|take|put|set|with|sei|wähle|mit|soit|avec)(?: (?:us|now))?[ :(]*\Z", re.I
 )
 """What chooses a coordinate, in front of the place from which it counts."""
-_SUPPOSED_BEHIND = re.compile(r"(?:at|if|when|bei|wenn|falls|si|lorsque)", re.I)
+_SUPPOSED_BEHIND = re.compile(
+    r"(?:at|if|when|bei|zur Zeit|wenn|falls|si|lorsque|à|à l'instant|pour)", re.I
+)
 """All that stands between a formula and the one that says where it holds."""
 
 LONGEST = 200
@@ -370,6 +372,8 @@ def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
         if _SUPPOSED_BEHIND.fullmatch(behind):
             heard |= {Cue.CASE, Cue.MOMENT}
         heard |= {cue for cue, pattern in _INLINE.items() if pattern.search(before)}
+        if Cue.DEFINED in heard:
+            heard -= {Cue.DERIVED}  # "that is, with §"
         titled = _TITLED.match(before) or ("¶" in behind and Cue.DERIVED not in heard)
         if titled:
             heard = heard - {Cue.DEFINED} | {Cue.CASE}

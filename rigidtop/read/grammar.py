@@ -124,6 +124,8 @@ _SPELLED: Final = sorted(
 )
 """Names that plain text spells with letters."""
 _INVERSE: Final = {name: f"arc{name}" for name in ("sin", "cos", "tan")}
+_WAVES, _PHASES = frozenset("kωΩνκqnm"), frozenset({"t", "x", "φ", "ϕ", "θ"})
+"""Letters in front of brackets with one of these places belong to what a function acts on."""
 _ANGLES: Final = frozenset("θφψϕϑt")
 """What ends the argument of a function: sin θ, cos ωt."""
 
@@ -476,6 +478,9 @@ class Grammar:
         token = self.peek()
         if token.text == "(" and not token.spaced and not letters(last):
             return isinstance(last, (Number, Quotient))  # sin 2(α + β)
+        if token.text == "(" and not token.spaced and isinstance(last, Letter):
+            behind = self.items[self.at : self.partners.get(self.at, self.at)]
+            return last.base in _WAVES and any(x.text in _PHASES for x in behind)  # sin ω(t − t₀)
         if token.spaced or token.kind not in ("letter", "number", "group") or not self.starts():
             return False
         if token.text == "d" and self.is_differential():
