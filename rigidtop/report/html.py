@@ -85,6 +85,7 @@ def write(
     byline = f'\n<p class="byline">{prose_html(document.byline)}</p>' if document.byline else ""
     source = f'<p class="colophon">{prose_html(document.colophon)}</p>'
     begin, end = (f"\n{source}", "") if slides else ("", f"\n<footer>{source}</footer>")
+    opening = "" if slides or document.opening is None else _figure(document.opening, figures)
     kinds = [
         "page.css",
         *["lecture.css"] * document.lecture,
@@ -100,6 +101,7 @@ def write(
 <h1>{prose_html(document.title)}</h1>
 <p class="subtitle">{prose_html(document.subtitle)}</p>{byline}{begin}
 </header>
+{opening}
 {body}{end}
 </main>
 {player}{script}"""
@@ -160,12 +162,13 @@ def _figure(block: b.Figure, figures: Mapping[str, str]) -> str:
     svg = re.sub(r'\bid="', f'id="{block.name}-', svg)
     svg = re.sub(r'(href="#|url\(#)', rf"\g<1>{block.name}-", svg)
     svg = re.sub(r"<path (?![^>]*\bd=)", '<path d="" ', svg)  # of a space
-    label = escape(block.alternative)
+    alternative = escape(block.alternative)
     # Larger than in print, where figures have their own size.
     size = re.search(r'width="([\d.]+)pt"', svg)
     room = f' style="max-width: {float(size[1]) / 8:.1f}rem"' if size else ""
-    svg = svg.replace("<svg", f'<svg role="img" aria-label="{label}"{room}', 1)
-    caption = f"<strong>{block.label}.</strong> {prose_html(block.caption)}"
+    svg = svg.replace("<svg", f'<svg role="img" aria-label="{alternative}"{room}', 1)
+    label = f"<strong>{block.label}.</strong> " if block.label else ""
+    caption = f"{label}{prose_html(block.caption)}"
     place = f'id="{block.anchor}" data-figure="{block.name}"'
     place += ' class="broad"' * (size is not None and float(size[1]) > 350)  # two columns on paper
     return f"<figure {place}>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"

@@ -63,26 +63,34 @@
       window.open(`${await addressOf(kind)}#preset=${frame.dataset.preset}`);
     });
     back.hidden = open.hidden = true;
-    for (const [kind, preset, words] of own) {
-      bar.append(button(`▶ ${words}`, async () => {
-        stop?.();
-        frame.title = `The motion of the figure: ${words}`;
-        frame.dataset.preset = preset;
-        frame.src = `${await addressOf(kind)}#preset=${preset}&embed=2&play=1`;
-        still.style.display = "none";
-        still.after(frame);
+    const play = async ([kind, preset, words], how) => {
+      stop?.();
+      frame.title = `The motion of the figure: ${words}`;
+      frame.dataset.preset = preset;
+      frame.src = `${await addressOf(kind)}#preset=${preset}&embed=${how}`;
+      still.classList.add("still");
+      still.after(frame);
+      back.hidden = open.hidden = false;
+      stop = () => {
+        frame.remove();
+        say("");
+        still.classList.remove("still");
+        back.hidden = open.hidden = true;
+        stop = null;
+      };
+    };
+    for (const each of own) {
+      bar.append(button(`▶ ${each[2]}`, async () => {
+        await play(each, "2&play=1");
         frame.scrollIntoView({ block: "nearest" });
-        back.hidden = open.hidden = false;
-        stop = () => {
-          frame.remove();
-          say("");
-          still.style.display = "";
-          back.hidden = open.hidden = true;
-          stop = null;
-        };
       }));
     }
     bar.append(back, open);
     caption.before(bar);
+    // What a page opens with moves unasked, but for readers who want less motion; a phone has room
+    // for the picture alone.
+    const opens = figure.id === "figure-opening" && document.createElement("canvas").getContext("webgl");
+    const [small, slow] = ["(max-width: 40rem)", "(prefers-reduced-motion: reduce)"].map((each) => matchMedia(each).matches);
+    if (opens) play(own[0], `${small ? 1 : 2}&play=${slow ? 0 : 1}`);
   }
 })();

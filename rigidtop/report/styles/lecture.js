@@ -31,7 +31,7 @@
       : matchMedia("(prefers-color-scheme: dark)").matches;
     root.dataset.theme = dark ? "light" : "dark";
   });
-  document.querySelector("main > header").after(tools);
+  document.querySelector("#figure-opening, main > header:not(:has(+ #figure-opening))").after(tools);
   for (const row of document.querySelectorAll("[data-tex]")) {
     const copy = document.createElement("button");
     copy.type = "button";
