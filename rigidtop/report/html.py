@@ -101,11 +101,29 @@ def write(
 <h1>{prose_html(document.title)}</h1>
 <p class="subtitle">{prose_html(document.subtitle)}</p>{byline}{begin}
 </header>
-{opening}
-{body}{end}
+{opening}{_TOOLS * (document.lecture and not slides)}
+{body}{end}{_CARD * (document.lecture and not slides)}
 </main>
 {player}{script}"""
     return visible(page(unmarked(document.title), kinds, body, "lecture" * document.lecture))
+
+
+_WAYS = {"results": "Results only", "steps": "Steps", "all": "Steps and reasons"}
+_SET = ' checked="checked"'
+_TOOLS = (
+    '\n<div class="tools" role="group" aria-label="How the lecture is shown">'
+    + "".join(
+        f'<label><input type="radio" name="show" value="{way}"{_SET * (way == "all")}/>'
+        f"{words}</label>"
+        for way, words in _WAYS.items()
+    )
+    + '<label><input type="checkbox" id="turned"/>Light or dark</label></div>'
+)
+"""What a reader may choose, which the style sheet heeds."""
+_CARD = """
+<div class="card" id="card" hidden=""></div>
+<button type="button" class="back" hidden="">↩ Back to where I was</button>"""
+"""Where a script shows what a citation leads to, and the way back from there."""
 
 
 def _in_full(block: b.Block) -> b.Block:

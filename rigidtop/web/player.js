@@ -25,28 +25,19 @@
     return addresses.get(kind);
   }
 
-  function button(words, act) {
-    const made = document.createElement("button");
-    made.type = "button";
-    made.textContent = words;
-    made.addEventListener("click", act);
-    return made;
-  }
+  const element = (name, what) => Object.assign(document.createElement(name), what);
+  const button = (words, act) => element("button", { type: "button", textContent: words, onclick: act });
 
   for (const figure of document.querySelectorAll("figure[data-figure]")) {
     const own = motions[figure.dataset.figure] ?? [];
     if (own.length === 0) continue;
     const still = figure.querySelector("svg");
-    const bar = document.createElement("p");
-    bar.className = "live-bar";
-    const frame = document.createElement("iframe");
-    frame.className = "live-frame";
+    const bar = element("p", { className: "live-bar" });
+    const frame = element("iframe", { className: "live-frame" });
     // What is printed under the figure gives way to what is true of a motion that was changed.
     const caption = figure.querySelector("figcaption");
-    const printed = document.createElement("span");
-    const changed = document.createElement("span");
-    changed.className = "live-caption";
-    changed.setAttribute("role", "status");
+    const printed = element("span");
+    const changed = element("span", { className: "live-caption", role: "status" });
     const label = caption.querySelector(":scope > strong");
     printed.append(...[...caption.childNodes].filter((part) => part !== label));
     caption.append(printed, changed);
@@ -59,8 +50,7 @@
     });
     const back = button("■ Figure", () => stop?.());
     const open = button("Whole page ↗", async () => {
-      const kind = own[0][0];
-      window.open(`${await addressOf(kind)}#preset=${frame.dataset.preset}`);
+      window.open(`${await addressOf(own[0][0])}#preset=${frame.dataset.preset}`);
     });
     back.hidden = open.hidden = true;
     const play = async ([kind, preset, words], how) => {

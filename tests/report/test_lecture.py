@@ -706,7 +706,7 @@ def test_a_mark_stands_at_the_sign_of_the_last_line(projector):
 
 
 ASTRAY = """const [words] = arguments;
-[...document.querySelectorAll(".tools button")].find((each) => each.textContent === words).click();
+[...document.querySelectorAll(".tools label")].find((each) => each.textContent === words).click();
 const every = [...document.querySelectorAll(".row .seal")];
 const seals = every.filter((seal) => seal.getClientRects().length);
 return [seals.length, seals.filter((seal) => {
