@@ -132,9 +132,15 @@ def _in_full(block: b.Block) -> b.Block:
 
 
 def _contents(document: b.Document) -> str:
-    items = "\n".join(map(_entry, document.contents))
-    if not items:
+    parts: list[list[str]] = []
+    for block in document.contents:
+        if parts and (isinstance(block, b.ExerciseHead) or block.level > 1):
+            parts[-1].append(_entry(block))
+        else:
+            parts.append([_entry(block)])
+    if not parts:
         return ""
+    items = "\n".join(_part(*each) for each in parts)
     # On a narrow page the contents of a lecture are closed, or its title would stand below them.
     state = "" if document.lecture else ' open="open"'
     return (
@@ -143,15 +149,17 @@ def _contents(document: b.Document) -> str:
     )
 
 
+def _part(head: str, *deep: str) -> str:
+    """A section in the contents, with what stands in it."""
+    inside = "\n".join(f"<li>{each}</li>" for each in deep)
+    return f"<li>{head}\n<ul>\n{inside}\n</ul></li>" if deep else f"<li>{head}</li>"
+
+
 def _entry(block: b.Heading | b.ExerciseHead) -> str:
     """A line of the contents."""
-    if isinstance(block, b.ExerciseHead):
-        kind, number = "deep ask", "Ex."
-    else:
-        kind, number = "deep" if block.level > 1 else "", block.number
-    name = f' class="{kind}"' if kind else ""
+    kind, number = ("", block.number) if isinstance(block, b.Heading) else (' class="ask"', "Ex.")
     title = f'<span class="n">{number}</span>{prose_html(block.title)}'
-    return f'<li{name}><a href="#{block.anchor}">{title}</a></li>'
+    return f'<a{kind} href="#{block.anchor}">{title}</a>'
 
 
 def _sections(document: b.Document, figures: Mapping[str, str]) -> list[str]:

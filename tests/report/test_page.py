@@ -127,6 +127,23 @@ def test_a_tap_opens_the_card_whose_number_leads_there(shown):
         driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
 
 
+MARKED = """dispatchEvent(new Event("scroll"));
+const links = [...document.querySelectorAll(".toc a")];
+const bold = links.filter((each) => getComputedStyle(each).fontWeight > 400);
+const marked = links.filter((each) => each.matches("[aria-current=true]"));
+return [bold.map((each) => each.textContent), marked.length]"""
+
+
+def test_the_section_that_is_read_is_marked_on_two_levels(shown):
+    driver, _ = shown
+    assert driver.execute_script(MARKED) == [["1First", "1.1Inner"], 1]
+    driver.execute_script("scrollTo(0, 1e6)")
+    assert driver.execute_script(MARKED) == [["2Second"], 1]
+    driver.execute_script("scrollTo(0, 0)")
+    assert driver.execute_script(MARKED) == [["1First"], 1]
+    assert len(driver.find_elements("css selector", ".toc li li")) == 1
+
+
 def test_what_is_shown_and_its_colours_want_no_script(shown):
     driver, _ = shown
     why = driver.find_element("class name", "why")

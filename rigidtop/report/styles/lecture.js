@@ -47,4 +47,12 @@
     link.focus({ preventScroll: true });
     show(null);
   });
+  // The section that is read is marked in the contents.
+  const entries = [...document.querySelectorAll(".toc a")].map((link) => [link, document.getElementById(link.hash.slice(1))]);
+  const read = () => {
+    const now = entries.findLast(([, place]) => place.getBoundingClientRect().top < innerHeight / 3);
+    for (const each of entries) each[0].setAttribute("aria-current", String(each === now));
+  };
+  addEventListener("scroll", read, { passive: true });
+  read();
 })();
