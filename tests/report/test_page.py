@@ -144,6 +144,23 @@ def test_the_section_that_is_read_is_marked_on_two_levels(shown):
     assert len(driver.find_elements("css selector", ".toc li li")) == 1
 
 
+NOTE = """const [note, row] = [".side", ".row"].map((name) =>
+  document.querySelector(name).getBoundingClientRect());
+return [note.left >= row.right, note.top < row.bottom, note.right <= innerWidth,
+  document.documentElement.scrollWidth <= innerWidth]"""
+
+
+@pytest.mark.parametrize(
+    ("width", "beside"), [(1920, True), (1280, True), (1240, False), (390, False)]
+)
+def test_a_condition_stands_in_the_margin_where_there_is_room(shown, width, beside):
+    driver, _ = shown
+    size = {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": width < 500}
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    assert driver.execute_script(NOTE) == [beside, beside, True, True]
+    driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
 def test_what_is_shown_and_its_colours_want_no_script(shown):
     driver, _ = shown
     why = driver.find_element("class name", "why")
