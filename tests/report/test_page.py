@@ -9,6 +9,9 @@ from rigidtop.proof.equation import Equation
 from rigidtop.proof.verdict import Verdict
 from rigidtop.report import blocks as b
 from rigidtop.report import html
+from rigidtop.report.transcript import transcript
+from rigidtop.theory.symbols import phi, phidot
+from rigidtop.typeset.mathml import mathml
 
 from ..web.conftest import chrome
 
@@ -172,3 +175,23 @@ def test_what_is_shown_and_its_colours_want_no_script(shown):
     driver.find_element("xpath", "//label[.='Light or dark']").click()
     assert light == "rgb(253, 253, 251)"
     assert driver.execute_script(paper) == "rgb(23, 24, 26)"
+
+
+HEIGHTS = """return [...document.querySelectorAll("math")].map((each) =>
+  each.querySelector("mi").getBoundingClientRect().top
+  - each.querySelector("mn").getBoundingClientRect().top)"""
+
+
+def test_an_exponent_stands_beside_an_accent(page, tmp_path):
+    """As high as at the letter without it."""
+    driver, _ = page
+    formulas = [mathml(each**2) for each in (phi, phidot, phidot + phi)]
+    formulas += [
+        transcript(tex, {}) for tex in (r"\dot\phi^2", r"\ddot{\phi}_a^2", r"\hat\phi^{2}")
+    ]
+    path = tmp_path / "exponents.html"
+    body = "<p>".join(formulas)
+    path.write_text(f'<!DOCTYPE html><meta charset="utf-8"><p>{body}', "utf-8")
+    driver.get(path.as_uri())
+    bare, *accented = driver.execute_script(HEIGHTS)
+    assert accented == pytest.approx([bare] * 5, abs=3)
