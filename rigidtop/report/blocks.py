@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from typing import Any, TypeVar
 
 from rigidtop.proof.equation import Equation
@@ -24,6 +24,18 @@ Judged = Sequence[tuple[Page, Sequence[Judgement]]]
 
 
 @dataclass(frozen=True)
+class Opening:
+    """What the page of a lecture opens with: a figure of the catalogue, at these parameters.
+
+    The `invitation` is the sentence beneath it, in place of a caption.
+    """
+
+    figure: str
+    invitation: str
+    settings: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
 class Front:
     """What stands on the first page of a lecture and of its exercises, and whose claims it has."""
 
@@ -35,6 +47,7 @@ class Front:
     byline: str = ""
     questions: str = ""
     """What a sheet of questions says in place of the `source`, if it does."""
+    opening: Opening | None = None
 
 
 _OF_THE_NOTES = (
@@ -48,6 +61,12 @@ NOTES = Front(
     "these pages was computed when they were written.",
     "Rigid rotation and the spinning top: exercises",
     questions=_OF_THE_NOTES,
+    opening=Opening(
+        "top",
+        "Why does a spinning top go round instead of falling, and why does its axis draw loops on "
+        "the way?",
+        {"phi_dot": -1.5},
+    ),
 )
 """The lecture notes on the top."""
 
@@ -398,7 +417,7 @@ class Document:
     """Title, subtitle, blocks, colophon.
 
     `byline` stands beneath the title: author, course, date.  A `lecture` has its verdicts in the
-    margin, a record among its lines.
+    margin, a record among its lines.  A page begins with its `opening`, which is not on paper.
     """
 
     title: str
@@ -409,6 +428,7 @@ class Document:
     byline: str = ""
     lecture: bool = False
     look: Look = Look()
+    opening: Figure | None = None
 
     @property
     def contents(self) -> tuple[Heading | ExerciseHead, ...]:

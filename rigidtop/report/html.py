@@ -85,6 +85,7 @@ def write(
     byline = f'\n<p class="byline">{prose_html(document.byline)}</p>' if document.byline else ""
     source = f'<p class="colophon">{prose_html(document.colophon)}</p>'
     begin, end = (f"\n{source}", "") if slides else ("", f"\n<footer>{source}</footer>")
+    opening = "" if slides or document.opening is None else _figure(document.opening, figures)
     kinds = [
         "page.css",
         *["lecture.css"] * document.lecture,
@@ -100,10 +101,29 @@ def write(
 <h1>{prose_html(document.title)}</h1>
 <p class="subtitle">{prose_html(document.subtitle)}</p>{byline}{begin}
 </header>
-{body}{end}
+{opening}{_TOOLS * (document.lecture and not slides)}
+{body}{end}{_CARD * (document.lecture and not slides)}
 </main>
 {player}{script}"""
     return visible(page(unmarked(document.title), kinds, body, "lecture" * document.lecture))
+
+
+_WAYS = {"results": "Results only", "steps": "Steps", "all": "Steps and reasons"}
+_SET = ' checked="checked"'
+_TOOLS = (
+    '\n<div class="tools" role="group" aria-label="How the lecture is shown">'
+    + "".join(
+        f'<label><input type="radio" name="show" value="{way}"{_SET * (way == "all")}/>'
+        f"{words}</label>"
+        for way, words in _WAYS.items()
+    )
+    + '<label><input type="checkbox" id="turned"/>Light or dark</label></div>'
+)
+"""What a reader may choose, which the style sheet heeds."""
+_CARD = """
+<div class="card" id="card" hidden=""></div>
+<button type="button" class="back" hidden="">↩ Back to where I was</button>"""
+"""Where a script shows what a citation leads to, and the way back from there."""
 
 
 def _in_full(block: b.Block) -> b.Block:
@@ -112,9 +132,15 @@ def _in_full(block: b.Block) -> b.Block:
 
 
 def _contents(document: b.Document) -> str:
-    items = "\n".join(map(_entry, document.contents))
-    if not items:
+    parts: list[list[str]] = []
+    for block in document.contents:
+        if parts and (isinstance(block, b.ExerciseHead) or block.level > 1):
+            parts[-1].append(_entry(block))
+        else:
+            parts.append([_entry(block)])
+    if not parts:
         return ""
+    items = "\n".join(_part(*each) for each in parts)
     # On a narrow page the contents of a lecture are closed, or its title would stand below them.
     state = "" if document.lecture else ' open="open"'
     return (
@@ -123,15 +149,17 @@ def _contents(document: b.Document) -> str:
     )
 
 
+def _part(head: str, *deep: str) -> str:
+    """A section in the contents, with what stands in it."""
+    inside = "\n".join(f"<li>{each}</li>" for each in deep)
+    return f"<li>{head}\n<ul>\n{inside}\n</ul></li>" if deep else f"<li>{head}</li>"
+
+
 def _entry(block: b.Heading | b.ExerciseHead) -> str:
     """A line of the contents."""
-    if isinstance(block, b.ExerciseHead):
-        kind, number = "deep ask", "Ex."
-    else:
-        kind, number = "deep" if block.level > 1 else "", block.number
-    name = f' class="{kind}"' if kind else ""
+    kind, number = ("", block.number) if isinstance(block, b.Heading) else (' class="ask"', "Ex.")
     title = f'<span class="n">{number}</span>{prose_html(block.title)}'
-    return f'<li{name}><a href="#{block.anchor}">{title}</a></li>'
+    return f'<a{kind} href="#{block.anchor}">{title}</a>'
 
 
 def _sections(document: b.Document, figures: Mapping[str, str]) -> list[str]:
@@ -160,12 +188,13 @@ def _figure(block: b.Figure, figures: Mapping[str, str]) -> str:
     svg = re.sub(r'\bid="', f'id="{block.name}-', svg)
     svg = re.sub(r'(href="#|url\(#)', rf"\g<1>{block.name}-", svg)
     svg = re.sub(r"<path (?![^>]*\bd=)", '<path d="" ', svg)  # of a space
-    label = escape(block.alternative)
+    alternative = escape(block.alternative)
     # Larger than in print, where figures have their own size.
     size = re.search(r'width="([\d.]+)pt"', svg)
     room = f' style="max-width: {float(size[1]) / 8:.1f}rem"' if size else ""
-    svg = svg.replace("<svg", f'<svg role="img" aria-label="{label}"{room}', 1)
-    caption = f"<strong>{block.label}.</strong> {prose_html(block.caption)}"
+    svg = svg.replace("<svg", f'<svg role="img" aria-label="{alternative}"{room}', 1)
+    label = f"<strong>{block.label}.</strong> " if block.label else ""
+    caption = f"{label}{prose_html(block.caption)}"
     place = f'id="{block.anchor}" data-figure="{block.name}"'
     place += ' class="broad"' * (size is not None and float(size[1]) > 350)  # two columns on paper
     return f"<figure {place}>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>"

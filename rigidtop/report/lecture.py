@@ -268,7 +268,13 @@ def lecture(
     blocks = b.for_students(blocks) if student else blocks
     blocks = handout.linked(handout.parted([*blocks, *symbol_list(blocks, LETTERS)]))
     front = edition.front
-    return edition.handed_out(front.title, front.subtitle, blocks), pictures
+    whole = edition.handed_out(front.title, front.subtitle, blocks)
+    if front.opening is None:
+        return whole, pictures
+    drawing = Wording(notation).drawing(named(front.opening.figure))
+    first = Picture("opening", drawing, front.opening.settings)
+    opening = replace(first.described(0), caption=front.opening.invitation)
+    return replace(whole, opening=opening), [*pictures, first]
 
 
 LETTERS = b.Heading(1, "", "Symbols, letter by letter in the order of first use", "letters")

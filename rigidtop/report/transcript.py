@@ -210,6 +210,7 @@ class _Transcript:
         elif primes:
             base = f"<msub>{base}{below}</msub>" if below else base
             return mathml.primed(base, _PRIMES.get(primes, primes))
+        base = mathml.beside_accent(base) if above else base
         spread = _SIGNS.get(begun) in _SPREAD or begun in (r"\lim", r"\underbrace", r"\overbrace")
         under, over = ("munder", "mover") if spread else ("msub", "msup")
         if below and above:

@@ -298,8 +298,25 @@ _JOINTS = {
 def with_superscript(base: str, exponent: str) -> str:
     """An index and an exponent of one letter stand above each other."""
     if base.startswith("<msub>") and base.endswith("</msub>") and "<mpadded" not in base:
-        return f"<msubsup>{base[6:-7]}{exponent}</msubsup>"
-    return f"<msup>{base}{exponent}</msup>"
+        return f"<msubsup>{beside_accent(base[6:-7])}{exponent}</msubsup>"
+    return f"<msup>{beside_accent(base)}{exponent}</msup>"
+
+
+_ACCENTED = re.compile(r"<mover><mi[^>]*>[^<]*</mi><mo[^>]*>[^<]*</mo></mover>")
+
+
+def beside_accent(base: str) -> str:
+    """What has an exponent, which stands as high at accented letters as at bare ones.
+
+    Browsers raise it above the accents: for them those are part of the height of a letter, and of
+    what stands in brackets.
+    """
+    if "<mover>" in base and base.endswith('stretchy="false">)</mo></mrow>'):
+        return f'<mpadded height="0.75em">{base}</mpadded>'
+    accented = _ACCENTED.match(base)
+    if not accented:
+        return base
+    return f'<mpadded height="0.6em">{accented[0]}</mpadded>{base[accented.end() :]}'
 
 
 def fenced(inside: str, shape: str, tall: bool) -> str:

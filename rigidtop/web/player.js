@@ -25,28 +25,19 @@
     return addresses.get(kind);
   }
 
-  function button(words, act) {
-    const made = document.createElement("button");
-    made.type = "button";
-    made.textContent = words;
-    made.addEventListener("click", act);
-    return made;
-  }
+  const element = (name, what) => Object.assign(document.createElement(name), what);
+  const button = (words, act) => element("button", { type: "button", textContent: words, onclick: act });
 
   for (const figure of document.querySelectorAll("figure[data-figure]")) {
     const own = motions[figure.dataset.figure] ?? [];
     if (own.length === 0) continue;
     const still = figure.querySelector("svg");
-    const bar = document.createElement("p");
-    bar.className = "live-bar";
-    const frame = document.createElement("iframe");
-    frame.className = "live-frame";
+    const bar = element("p", { className: "live-bar" });
+    const frame = element("iframe", { className: "live-frame" });
     // What is printed under the figure gives way to what is true of a motion that was changed.
     const caption = figure.querySelector("figcaption");
-    const printed = document.createElement("span");
-    const changed = document.createElement("span");
-    changed.className = "live-caption";
-    changed.setAttribute("role", "status");
+    const printed = element("span");
+    const changed = element("span", { className: "live-caption", role: "status" });
     const label = caption.querySelector(":scope > strong");
     printed.append(...[...caption.childNodes].filter((part) => part !== label));
     caption.append(printed, changed);
@@ -59,30 +50,37 @@
     });
     const back = button("■ Figure", () => stop?.());
     const open = button("Whole page ↗", async () => {
-      const kind = own[0][0];
-      window.open(`${await addressOf(kind)}#preset=${frame.dataset.preset}`);
+      window.open(`${await addressOf(own[0][0])}#preset=${frame.dataset.preset}`);
     });
     back.hidden = open.hidden = true;
-    for (const [kind, preset, words] of own) {
-      bar.append(button(`▶ ${words}`, async () => {
-        stop?.();
-        frame.title = `The motion of the figure: ${words}`;
-        frame.dataset.preset = preset;
-        frame.src = `${await addressOf(kind)}#preset=${preset}&embed=2&play=1`;
-        still.style.display = "none";
-        still.after(frame);
+    const play = async ([kind, preset, words], how) => {
+      stop?.();
+      frame.title = `The motion of the figure: ${words}`;
+      frame.dataset.preset = preset;
+      frame.src = `${await addressOf(kind)}#preset=${preset}&embed=${how}`;
+      still.classList.add("still");
+      still.after(frame);
+      back.hidden = open.hidden = false;
+      stop = () => {
+        frame.remove();
+        say("");
+        still.classList.remove("still");
+        back.hidden = open.hidden = true;
+        stop = null;
+      };
+    };
+    for (const each of own) {
+      bar.append(button(`▶ ${each[2]}`, async () => {
+        await play(each, "2&play=1");
         frame.scrollIntoView({ block: "nearest" });
-        back.hidden = open.hidden = false;
-        stop = () => {
-          frame.remove();
-          say("");
-          still.style.display = "";
-          back.hidden = open.hidden = true;
-          stop = null;
-        };
       }));
     }
     bar.append(back, open);
     caption.before(bar);
+    // What a page opens with moves unasked, but for readers who want less motion; a phone has room
+    // for the picture alone.
+    const opens = figure.id === "figure-opening" && document.createElement("canvas").getContext("webgl");
+    const [small, slow] = ["(max-width: 40rem)", "(prefers-reduced-motion: reduce)"].map((each) => matchMedia(each).matches);
+    if (opens) play(own[0], `${small ? 1 : 2}&play=${slow ? 0 : 1}`);
   }
 })();

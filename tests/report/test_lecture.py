@@ -116,6 +116,11 @@ def test_html_of_all_pages(document, drawn):
     assert all(below <= above + 1 for above, below in pairwise(levels))
     titles = [e for e in document.blocks if isinstance(e, ExerciseHead) and e.kind == "Solution"]
     assert {title.level for title in titles} == {2}
+    # It opens with a top, of which it says what is asked; without a script that is a still.
+    first = root.find(".//main/figure")
+    assert [*root.find(".//main")].index(first) == 1
+    assert "".join(first.find("figcaption").itertext()) == Edition().front.opening.invitation
+    assert first.find("{http://www.w3.org/2000/svg}svg").get("role") == "img"
 
 
 @pytest.fixture(scope="module", params=["latexmk", "typst"])
@@ -701,7 +706,7 @@ def test_a_mark_stands_at_the_sign_of_the_last_line(projector):
 
 
 ASTRAY = """const [words] = arguments;
-[...document.querySelectorAll(".tools button")].find((each) => each.textContent === words).click();
+[...document.querySelectorAll(".tools label")].find((each) => each.textContent === words).click();
 const every = [...document.querySelectorAll(".row .seal")];
 const seals = every.filter((seal) => seal.getClientRects().length);
 return [seals.length, seals.filter((seal) => {

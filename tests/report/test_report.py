@@ -680,6 +680,8 @@ def test_the_lecture_is_written_whole(judged, tmp_path):
     names = sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*.*"))
     assert names == sorted(path.relative_to(folder).as_posix() for path in written)
     assert names == [
+        "figures/opening.pdf",
+        "figures/opening.svg",
         "figures/precession-rates.pdf",
         "figures/precession-rates.svg",
         "lecture.html",

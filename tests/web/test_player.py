@@ -72,6 +72,28 @@ def lecture_of(made, *names):
     return f'<!DOCTYPE html><meta charset="utf-8"><title>Lecture</title>{figures}{made}'
 
 
+def test_what_a_page_opens_with_moves_unasked(live, wishes, made):
+    page = lecture_of(made, "paths").replace('id="figure-paths"', 'id="figure-opening"')
+    live.write("opening", page)
+    live.open("opening", ready="")
+    live.wait("document.querySelector('iframe')")
+    assert not live.find("#figure-opening svg").is_displayed()
+    live.driver.switch_to.frame(live.find("iframe"))
+    live.wait("window.rigidtop && rigidtop.motion.now.t > 0")
+    wishes(prefers_reduced_motion="reduce")
+    live.open("opening", ready="")
+    live.wait("document.querySelector('iframe')")
+    live.driver.switch_to.frame(live.find("iframe"))
+    live.wait("window.rigidtop && rigidtop.frames > 1")
+    assert live.t == 0
+    # On paper it is the still.
+    live.driver.switch_to.default_content()
+    live.cdp("Emulation.setEmulatedMedia", media="print")
+    assert live.find("#figure-opening svg").is_displayed()
+    assert not live.find("iframe").is_displayed()
+    live.cdp("Emulation.setEmulatedMedia", media="")
+
+
 def test_a_figure_is_played_in_its_place(live, made):
     live.write("lecture", lecture_of(made, "paths", "flip"))
     live.open("lecture", ready="")

@@ -1,56 +1,58 @@
-// What a reader may do: fold derivations, copy an equation as LaTeX, choose light or dark.
+// What a reader may do: copy an equation as LaTeX, see what is cited, go there and come back.
 (() => {
-  const root = document.documentElement;
-  const contents = document.querySelector(".toc details");
-  if (contents && matchMedia("(min-width: 78rem)").matches) contents.open = true;
-  const tools = document.createElement("div");
-  tools.className = "tools";
-  tools.setAttribute("role", "group");
-  tools.setAttribute("aria-label", "How the lecture is shown");
-  const button = (said, act) => {
-    const made = document.createElement("button");
-    made.type = "button";
-    made.textContent = said;
-    made.addEventListener("click", () => act(made));
-    tools.append(made);
-    return made;
-  };
-  const ways = [["Results only", "results"], ["Steps", "steps"], ["Steps and reasons", "all"]];
-  const choices = ways.map(([said, way]) => [button(said, () => {
-    show(way);
-    fitted(); // what was hidden, or stands elsewhere now
-  }), way]);
-  const show = (way) => {
-    root.dataset.show = way;
-    for (const [made, each] of choices) made.setAttribute("aria-pressed", String(each === way));
-  };
-  show("all");
-  button("Light or dark", () => {
-    const dark = root.dataset.theme
-      ? root.dataset.theme === "dark"
-      : matchMedia("(prefers-color-scheme: dark)").matches;
-    root.dataset.theme = dark ? "light" : "dark";
-  });
-  document.querySelector("main > header").after(tools);
+  document.querySelector(".toc details")?.toggleAttribute("open", matchMedia("(min-width: 78rem)").matches);
   for (const row of document.querySelectorAll("[data-tex]")) {
-    const copy = document.createElement("button");
-    copy.type = "button";
-    copy.textContent = "Copy LaTeX";
-    copy.addEventListener("click", async () => {
-      try {
-        await navigator.clipboard.writeText(row.dataset.tex);
-        copy.textContent = "Copied";
-      } catch {
-        prompt("LaTeX", row.dataset.tex);
-      }
+    row.insertAdjacentHTML("beforeend", `<div class="take"><a href="#${row.id}">Link</a><button type="button">Copy LaTeX</button></div>`);
+    const copy = row.lastChild.lastChild;
+    copy.addEventListener("click", () => navigator.clipboard.writeText(row.dataset.tex).then(() => {
+      copy.textContent = "Copied";
       setTimeout(() => { copy.textContent = "Copy LaTeX"; }, 1500);
-    });
-    const link = document.createElement("a");
-    link.href = `#${row.id}`;
-    link.textContent = "Link";
-    const take = document.createElement("div");
-    take.className = "take";
-    take.append(link, copy);
-    row.append(take);
+    }).catch(() => prompt("LaTeX", row.dataset.tex)));
   }
+  // A citation that is pointed at, focused or tapped has a card with its line, whose number leads there.
+  const [card, back] = document.querySelectorAll("#card, .back");
+  const followed = [];
+  let cited = null;
+  const linkOf = ({ target }) =>
+    card.contains(target) ? cited : target.closest?.("main a[href^='#']:not(.place, .take a)");
+  const show = (link) => {
+    if (link === cited) return;
+    cited?.removeAttribute("aria-describedby");
+    const place = link && document.getElementById(link.hash.slice(1));
+    card.hidden = !place?.matches(".row, .marked");
+    cited = card.hidden ? null : link;
+    if (card.hidden) return;
+    card.innerHTML = [...(place.matches(".row") ? place.querySelectorAll(".eq, .place") : [place])]
+      .map((part) => part.outerHTML.replace(/ (id|tabindex)="[^"]*"/g, "")).join("");
+    link.setAttribute("aria-describedby", "card");
+    const { left, top, bottom } = link.getClientRects()[0];
+    const low = bottom + card.offsetHeight < innerHeight ? bottom : top - card.offsetHeight;
+    card.style.top = `${scrollY + low}px`;
+    card.style.left = `${Math.max(4, Math.min(left, innerWidth - card.offsetWidth - 20))}px`;
+  };
+  for (const kind of ["pointerover", "focusin"]) addEventListener(kind, (event) => show(linkOf(event)));
+  addEventListener("keydown", ({ key }) => key === "Escape" && show(null));
+  addEventListener("click", (event) => {
+    const link = event.target.closest?.("a") && linkOf(event);
+    if (!link) return;
+    show(link);
+    if (event.pointerType === "touch" && cited === event.target) return event.preventDefault();
+    back.hidden = !followed.push(link);
+    show(null);
+  });
+  back.addEventListener("click", () => {
+    const link = followed.pop();
+    back.hidden = !followed.length;
+    link.scrollIntoView({ block: "center" });
+    link.focus({ preventScroll: true });
+    show(null);
+  });
+  // The section that is read is marked in the contents.
+  const entries = [...document.querySelectorAll(".toc a")].map((link) => [link, document.getElementById(link.hash.slice(1))]);
+  const read = () => {
+    const now = entries.findLast(([, place]) => place.getBoundingClientRect().top < innerHeight / 3);
+    for (const each of entries) each[0].setAttribute("aria-current", String(each === now));
+  };
+  addEventListener("scroll", read, { passive: true });
+  read();
 })();

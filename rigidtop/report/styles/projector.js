@@ -3,12 +3,10 @@
   const lines = slides.map((slide) =>
     [...slide.children].filter((each) => !each.matches("h2, h3, h4, h5, .head, .side, .label, .recalled, footer"))
       .flatMap((each) => (each.matches("ul") ? [...each.children] : [each])));
-  const place = document.createElement("div");
-  place.className = "unseen";
-  place.setAttribute("aria-live", "polite");
+  const place = Object.assign(document.createElement("div"), { className: "unseen", ariaLive: "polite" });
   document.querySelector("main").append(place);
-  const help = document.createElement("span");
-  help.textContent = "→ ← a line, ↓ ↑ a slide, a all of it, f full screen \u2003 ";
+  const help = Object.assign(document.createElement("span"), {
+    textContent: "→ ← a line, ↓ ↑ a slide, a all of it, f full screen \u2003 " });
   let part = -1;
   let line = 0;
   const show = (to, uncovered) => {
