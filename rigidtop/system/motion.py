@@ -264,13 +264,7 @@ class SystemMotion:
         return at
 
     def _sizes(self, state: Floats) -> Floats:
-        """What absolute tolerances are fractions of: at most 1, or of q, of q̇, of work."""
-        n, made = len(self.q), np.ones(len(state))
-        for part in (slice(n), slice(n, 2 * n), slice(2 * n, 2 * n + self.system.numeric.works)):
-            largest = np.max(np.abs(state[part]), initial=0.0)
-            if 0 < largest < 1:
-                made[part] = largest
-        return made
+        return sizes(self.system, state)
 
     def _flow(
         self, start: Floats, end: float, accuracy: Accuracy, sizes: Callable[[Floats], Floats]
@@ -282,14 +276,31 @@ class SystemMotion:
 
     def _taylor(self, start: Floats, unit: Floats, end: float, rtol: float) -> Flow:
         """By heyoka's Taylor series, of the state in `unit`s: below 1 its tolerance is absolute."""
-        numeric, n = self.system.numeric, len(self.q)
-        units = np.concatenate([unit[[0, n]], unit[2 * n : 2 * n + numeric.works]])
-        values = [*units, *(1 / units), *self.parameters]
+        values = with_units(self.system, unit, np.array(self.parameters))
         held = self._held if self.system.constraints else None
-        with numeric.series(rtol) as integrator:
+        with self.system.numeric.series(rtol) as integrator:
             integrator.pars[:] = values[: len(integrator.pars)]
             integrator.state[:] = start / unit
             return taylor.propagated(integrator, end, unit, held=held)
+
+
+def sizes(system: Computed, states: Floats) -> Floats:
+    """What absolute tolerances are fractions of: at most 1, or of q, of q̇, of work.
+
+    Of one state (n,) or of many (n, L).
+    """
+    n, made = len(system.q), np.ones(states.shape)
+    for part in (slice(n), slice(n, 2 * n), slice(2 * n, 2 * n + system.numeric.works)):
+        largest = np.max(np.abs(states[part]), axis=0, initial=0.0)
+        made[part] = np.where((largest > 0) & (largest < 1), largest, 1.0)
+    return made
+
+
+def with_units(system: Computed, units: Floats, parameters: Floats) -> Floats:
+    """The numbers that an integrator of `Numeric.series` wants, for one motion or for many."""
+    n = len(system.q)
+    own = np.concatenate([units[[0, n]], units[2 * n : 2 * n + system.numeric.works]])
+    return np.concatenate([own, 1 / own, parameters])
 
 
 UNTIL = ""

@@ -99,27 +99,46 @@ class Numeric:
         return self._function((*self.system.names.v, *results[:n], *more), "rates")
 
     @cached_property
-    def _free(self) -> dict[float, list[Any]]:
-        """Integrators that nobody uses now, by tolerance."""
+    def _free(self) -> dict[tuple[float, int], list[Any]]:
+        """Integrators that nobody uses now, by tolerance and batch."""
         return {}
 
     @contextmanager
-    def series(self, rtol: float) -> Iterator[Any]:
+    def series(self, rtol: float, batch: int = 0) -> Iterator[Any]:
         """heyoka's integrator to a tolerance, for q, q̇, work and the time in units, at t = 0.
 
         Its parameters are the units of q, of q̇ and of the work, if it is followed, one over each,
         and the system's own, without those behind the last that occurs.  It is compiled once, and
-        used again for another start; by one thread at a time.
+        used again for another start; by one thread at a time.  One for a `batch` has so many
+        columns, and its time is set by `taylor.sampled`.
         """
-        free = self._free.setdefault(rtol, [])
-        integrator = free.pop() if free else self._compiled(rtol)
+        free = self._free.setdefault((rtol, batch), [])
+        integrator = free.pop() if free else self._compiled(rtol, batch)
         try:
-            integrator.time = 0.0
+            if not batch:
+                integrator.time = 0.0
             yield integrator
         finally:
             free.append(integrator)
 
-    def _compiled(self, rtol: float) -> Any:
+    def _compiled(self, rtol: float, batch: int) -> Any:
+        heyoka = taylor.loaded()
+        system, pars = self._in_series
+        start = np.zeros((len(system), batch)) if batch else [0.0] * len(system)
+        make = heyoka.taylor_adaptive_batch if batch else heyoka.taylor_adaptive
+        return make(system, start, pars=np.ones((pars, batch) if batch else pars), tol=rtol)
+
+    @cached_property
+    def has_series(self) -> bool:
+        """Whether heyoka is there, and has the functions that occur."""
+        try:
+            return bool(self._in_series)
+        except RigidtopError:
+            return False
+
+    @cached_property
+    def _in_series(self) -> tuple[list[Any], int]:
+        """The equations in heyoka's symbols, and how many parameters they have."""
         heyoka, n = taylor.loaded(), len(self.system.q)
         kinds = [0] * n + [1] * n + [2] * self.works
         count = max(kinds) + 1
@@ -135,12 +154,7 @@ class Numeric:
         # Those behind the last that occurs are not counted.
         occurring = {str(x) for row in rows for x in heyoka.get_params(row)}
         last = max(k for k, x in enumerate(given) if str(x) in occurring)
-        return heyoka.taylor_adaptive(
-            list(zip(state, rows, strict=True)),
-            [0.0] * len(state),
-            pars=[1.0] * (last + 1),
-            tol=rtol,
-        )
+        return list(zip(state, rows, strict=True)), last + 1
 
     def _function(self, results: Sequence[Expr], name: str) -> Function:
         return self.made(results, name, self.system.program.shared)
