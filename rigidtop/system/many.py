@@ -15,9 +15,10 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import abreast, checks, taylor
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import TAYLOR, Accuracy, sides
-from rigidtop.system.motion import TOO_SMALL, SystemMotion, row, sizes, with_units
+from rigidtop.system.motion import TOO_SMALL, SystemMotion
 from rigidtop.system.names import Given, as_assumed, numbers
 from rigidtop.system.numeric import Computed
+from rigidtop.system.start import row, sizes, with_units
 
 AT_ONCE = 1 << 11
 """So many motions at a time: NumPy's calls cost little then, and the arrays stay near."""
@@ -128,7 +129,7 @@ class SystemMotions(Sequence[SystemMotion]):
         times = checks.times(t)
         if not len(self):
             raise RigidtopError("there are no motions: an array that was given is empty")
-        accuracy = Accuracy(method or self._method, rtol, atol)
+        accuracy = Accuracy(method or self.system.numeric.method, rtol, atol)
         together = self._together(accuracy.method)
         size = AT_ONCE if together else 1
         found = np.empty((len(times), 2 * len(self.q), len(self)))
@@ -154,16 +155,12 @@ class SystemMotions(Sequence[SystemMotion]):
         >>> springs.way("DOP853"), springs.way("Radau")
         ('DOP853 on arrays of 2048', 'Radau, one after the other')
         """
-        method = Accuracy(method or self._method).method
+        method = Accuracy(method or self.system.numeric.method).method
         if not self._together(method):
             return f"{method}, one after the other"
         if method == TAYLOR:
             return f"{method} in batches of {taylor.batch()}"
         return f"{method} on arrays of {AT_ONCE}"
-
-    @cached_property
-    def _method(self) -> str:
-        return TAYLOR if self.system.numeric.has_series else "DOP853"
 
     def _together(self, method: str) -> Together | None:
         """What gives the states of motions together, NaN where it does not, if anything does."""

@@ -20,6 +20,7 @@ from rigidtop.codegen.heyoka import on_symbols
 from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import taylor
+from rigidtop.motion.integrate import TAYLOR
 from rigidtop.system.canonical import Canonical
 from rigidtop.system.names import own_functions
 
@@ -129,12 +130,13 @@ class Numeric:
         return make(system, start, pars=np.ones((pars, batch) if batch else pars), tol=rtol)
 
     @cached_property
-    def has_series(self) -> bool:
-        """Whether heyoka is there, and has the functions that occur."""
+    def method(self) -> str:
+        """Where none is named: "taylor" where heyoka has all that occurs, else "DOP853"."""
         try:
-            return bool(self._in_series)
+            rows, _ = self._in_series
         except RigidtopError:
-            return False
+            rows = []
+        return TAYLOR if rows else "DOP853"
 
     @cached_property
     def _in_series(self) -> tuple[list[Any], int]:

@@ -12,10 +12,12 @@ from functools import partial
 from time import process_time
 
 import numpy as np
+import sympy
 from rows import Row, table
 from systems import PARAMETERS, pendulums, versions
 
 from rigidtop.system.many import SystemMotions
+from rigidtop.system.system import System
 
 END = 10.0
 
@@ -73,11 +75,25 @@ def one() -> list[Row]:
     ]
 
 
+def stars() -> System:
+    """Hénon's and Heiles's."""
+    x, y, u, v = sympy.symbols("x y u v", real=True)
+    return System((u**2 + v**2) / 2 - (x**2 + y**2) / 2 - x**2 * y + y**3 / 3, [x, y], [u, v])
+
+
+def section() -> list[Row]:
+    """Where x increases through zero over 1000 s, with states."""
+    motion, x = stars().motion(q=[0, 0.1], qdot=[0.49, 0.0]), sympy.Symbol("x", real=True)
+    go = partial(motion.section, x, 1000.0, 1, "taylor")
+    note = f"{len(go())} points"
+    return [Row("a Poincaré section over 1000 s at 1e-12", "taylor", cpu(go), note=note)]
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description="Measure many motions of systems.")
     parser.add_argument("--quick", action="store_true", help="a hundredth of the motions")
     options = parser.parse_args()
-    print(table([*many(100 if options.quick else 10_000), *one()]))
+    print(table([*many(100 if options.quick else 10_000), *one(), *section()]))
     print(versions())
 
 
