@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from html import escape
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy
@@ -26,9 +26,11 @@ from rigidtop.system.names import Given, expression, numbers
 from rigidtop.system.numeric import Computed, computed, magnitude
 from rigidtop.system.start import row, sizes, with_units
 
+if TYPE_CHECKING:
+    from rigidtop.system.lyapunov import LyapunovExponent
+
 HOLDS = 1e-9
 """How well a constraint has to hold at the start, relative to its terms."""
-
 
 TOO_SMALL = 1e-3
 """A motion that stays below this part of what its tolerances are fractions of is done again."""
@@ -216,17 +218,34 @@ class SystemMotion:
 
         >>> from sympy import symbols
         >>> from rigidtop.system.system import System
-        >>> x, y, u, v = symbols("x y u v", real=True)
-        >>> V = (x**2 + y**2)/2 + x**2*y - y**3/3
-        >>> stars = System((u**2 + v**2)/2 - V, [x, y], [u, v])
-        >>> found = stars.motion(q=[0, 0.1], qdot=[0.49, 0]).section(x, 100, direction=1)
-        >>> len(found), found.q[:2, 1].round(4)
-        (16, array([0.3195, 0.4703]))
+        >>> x, v = symbols("x v", real=True)
+        >>> spring = System(v**2/2 - x**2/2, [x], [v]).motion(q=1.0)
+        >>> spring.section(x, 10.0, direction=1).t.round(4)
+        array([4.7124])
         """
-        known = self.system.numeric.method if method is None else method
-        watched = {"section": (quantity, direction)}
-        run = self.integrate(np.append(0.0, checks.times(t)), known, rtol, atol, watched)
+        method, watched = method or self.system.numeric.method, {"section": (quantity, direction)}
+        run = self.integrate(np.append(0.0, checks.times(t)), method, rtol, atol, watched)
         return run.crossings["section"]
+
+    def lyapunov(
+        self, t: float, method: str | None = None, rtol: float = 1e-12, atol: float = 1e-14
+    ) -> LyapunovExponent:
+        """The largest Lyapunov exponent over a time `t` > 0 (s), with an estimate of its error.
+
+        A near neighbour is followed by the variational equations, derived from the program of q̈.
+        Raises RigidtopError for systems with constraints, and where the solver does not arrive.
+
+        >>> from sympy import symbols
+        >>> from rigidtop.system.system import System
+        >>> x, v = symbols("x v", real=True)
+        >>> System(v**2/2 + x**2, [x], [v]).motion(q=0.0).lyapunov(1000.0)
+        <LyapunovExponent: 1.412 ± 0.0019>
+        """
+        from rigidtop.system.lyapunov import lyapunov
+
+        accuracy = Accuracy(method or self.system.numeric.method, rtol, atol)
+        start = *self.q, *self.qdot
+        return lyapunov(self.system, self.parameters, start, t, accuracy, self._keeps_signs)
 
     def _section(self, found: Zeros) -> SystemSection:
         states = self._kept(found.times, found.states)

@@ -89,11 +89,18 @@ def section() -> list[Row]:
     return [Row("a Poincaré section over 1000 s at 1e-12", "taylor", cpu(go), note=note)]
 
 
+def exponent() -> list[Row]:
+    """Of a chaotic double pendulum, compiled before."""
+    motion = pendulums(2).motion(PARAMETERS, q=[2.0, 1.0])
+    go = partial(motion.lyapunov, 100.0, "taylor")
+    return [Row("the largest Lyapunov exponent over 100 s", "taylor", cpu(go), note=repr(go()))]
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description="Measure many motions of systems.")
     parser.add_argument("--quick", action="store_true", help="a hundredth of the motions")
     options = parser.parse_args()
-    print(table([*many(100 if options.quick else 10_000), *one(), *section()]))
+    print(table([*many(100 if options.quick else 10_000), *one(), *section(), *exponent()]))
     print(versions())
 
 
