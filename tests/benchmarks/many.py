@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable
 from functools import partial
+from importlib.util import find_spec
 from time import process_time
 
 import numpy as np
@@ -38,7 +39,7 @@ def many(count: int) -> list[Row]:
     starts = np.random.default_rng(1).uniform(-1, 1, (2, count))
     system, few = pendulums(2), max(count // 200, 2)
     rows = []
-    for method in ("taylor", "DOP853"):
+    for method in ("taylor", "DOP853") if find_spec("heyoka") else ("DOP853",):
         motions = system.motions(PARAMETERS, q=starts)
         alone = system.motions(PARAMETERS, q=starts[:, :few])
         motions.integrate(0.1, method)  # what is compiled, is so now
@@ -100,7 +101,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Measure many motions of systems.")
     parser.add_argument("--quick", action="store_true", help="a hundredth of the motions")
     options = parser.parse_args()
-    print(table([*many(100 if options.quick else 10_000), *one(), *section(), *exponent()]))
+    rows = many(100 if options.quick else 10_000)
+    if find_spec("heyoka"):
+        rows += [*one(), *section(), *exponent()]
+    print(table(rows))
     print(versions())
 
 
