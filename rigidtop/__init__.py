@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from rigidtop.motion.top import HeavyTop
     from rigidtop.motion.top_fit import TopFit
     from rigidtop.motion.trajectory import Trajectory
-    from rigidtop.system.motion import SystemMotion, SystemTrajectory
+    from rigidtop.system.motion import SystemMotion, SystemSection, SystemTrajectory
     from rigidtop.system.parts import Body, Mass
     from rigidtop.system.system import System
     from rigidtop.web.notebook import show
@@ -43,6 +43,7 @@ __all__ = [
     "SlidingTrajectory",
     "System",
     "SystemMotion",
+    "SystemSection",
     "SystemTrajectory",
     "TopFit",
     "TopMotions",
@@ -66,7 +67,7 @@ _ROOMS = {
     "motion.top": ("HeavyTop",),
     "motion.top_fit": ("TopFit",),
     "motion.trajectory": ("Trajectory",),
-    "system.motion": ("SystemMotion", "SystemTrajectory"),
+    "system.motion": ("SystemMotion", "SystemSection", "SystemTrajectory"),
     "system.parts": ("Body", "Mass"),
     "system.system": ("System",),
     "web.notebook": ("show",),

@@ -45,7 +45,10 @@ def plotted(rows: Rows, names: Sequence[str | tuple[str, str]], axes: Axes | Non
                 raise RigidtopError(f"two columns make a curve, not {len(pair)}")
             (_, x), (header, y) = map(rows.column, pair)
             order = np.argsort(x, kind="stable") if pair[0] == "t" else slice(None)
-            axes.plot(x[order], y[order], color=COLOURS[k % len(COLOURS)], label=label(header))
+            drawn: dict[str, Any] = {"color": COLOURS[k % len(COLOURS)], "label": label(header)}
+            if rows.dots:
+                drawn |= {"linestyle": "none", "marker": ".", "markersize": 2}
+            axes.plot(x[order], y[order], **drawn)
         across = {rows.column(first)[0] for first, _ in pairs}
         up = [rows.column(second)[0] for _, second in pairs]
         axes.set_xlabel(label(across.pop()) if len(across) == 1 else "")

@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -122,8 +122,11 @@ class Rows(ABC):
 
         return plotted(self, names or self.plotted, axes)
 
+    dots: ClassVar[bool] = False
+    """Whether rows are drawn as dots, not as a curve."""
+
     @property
-    def plotted(self) -> tuple[str, ...]:
+    def plotted(self) -> tuple[str | tuple[str, str], ...]:
         """What `plot` draws without being told."""
         return tuple(_name(header) for header in self.columns())[1:4]
 

@@ -95,6 +95,33 @@ def propagated(
     return joined(pieces)
 
 
+def batch() -> int:
+    """So many motions at once suit the processor."""
+    return int(loaded().recommended_simd_size())
+
+
+def sampled(integrator: Any, start: Floats, parameters: Floats, times: Floats) -> Floats:
+    """Motions from states (n, L) at t = 0, at N `times` that increase in magnitude: (N, n, L).
+
+    By an integrator of batches; those behind the last of its `parameters` (p, L) do not matter to
+    it.  NaN for motions that do not arrive.
+    """
+    grid, places = np.unique(np.abs(np.append(0.0, times)), return_inverse=True)
+    size, count = integrator.batch_size, start.shape[1]
+    at = np.repeat(np.copysign(grid, times[-1])[:, None], size, axis=1)
+    found = np.empty((len(grid), *start.shape))
+    for first in range(0, count, size):
+        last = min(first + size, count)
+        full = np.resize(np.arange(first, last), size)  # the last batch has some motions twice
+        integrator.set_time(0.0)
+        integrator.state[:] = start[:, full]
+        integrator.pars[:] = parameters[: len(integrator.pars), full]
+        _, states = integrator.propagate_grid(at, max_steps=MOST_STEPS)
+        found[..., first:last] = states[..., : last - first]
+    made: Floats = found[places[1:]]
+    return made
+
+
 def _path(
     series: Callable[[Floats], Floats], unit: float, of_state: Floats, times: Floats
 ) -> Floats:

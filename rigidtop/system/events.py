@@ -1,12 +1,12 @@
-"""When a quantity of a motion is zero."""
+"""When quantities of a motion are zero."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from itertools import pairwise
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq, minimize_scalar
+from numpy.typing import NDArray
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import Flow
@@ -33,58 +33,142 @@ BETWEEN = np.vander(PLACES[1::2], LOOKS // 2 + 1) @ np.linalg.inv(
 """Takes the values of a polynomial at every other of these places to those between them."""
 
 
-def zeros(motion: Flow, value: Callable[[float, Floats], float], end: float) -> list[float]:
-    """The times at which a quantity goes through zero, t = 0 left out."""
+FLOAT = float(np.finfo(float).eps)
+
+GOLDEN = (np.sqrt(5) - 1) / 2
+
+NARROWED = 45
+"""So many golden sections leave 10⁻⁹ of an interval, below which a minimum is flat."""
+
+MOST = 120
+"""A bracket that is halved every third time is narrower than floats are apart after so many."""
+
+
+@dataclass(frozen=True)
+class Watched:
+    """A quantity, of times (N,) and states (n, N), and the direction that counts, or 0."""
+
+    value: Callable[[Floats, Floats], Floats]
+    direction: int
+
+
+@dataclass(frozen=True)
+class Zeros:
+    """Times (N,) at which a quantity is zero, states (n, N), and whether it increases there."""
+
+    times: Floats
+    states: Floats
+    rising: NDArray[np.bool_]
+
+    def only(self, chosen: NDArray[np.bool_]) -> Zeros:
+        """Those that are chosen."""
+        return Zeros(self.times[chosen], self.states[:, chosen], self.rising[chosen])
+
+    def towards(self, direction: int) -> Zeros:
+        """Those at which it goes in a direction; all for 0."""
+        return self.only(self.rising == (direction > 0)) if direction else self
+
+    def within(self, first: float, last: float) -> Zeros:
+        """Those from the first to the last of two times."""
+        return self.only((self.times >= first) & (self.times <= last))
+
+
+def joined_zeros(parts: Sequence[Zeros]) -> Zeros:
+    """All of them, in the order of their times."""
+    times = np.concatenate([part.times for part in parts])
+    states = np.concatenate([part.states for part in parts], axis=1)
+    order = np.argsort(times)
+    rising = np.concatenate([part.rising for part in parts])
+    return Zeros(times[order], states[:, order], rising[order])
+
+
+def zeros(motion: Flow, value: Callable[[Floats, Floats], Floats], end: float) -> Zeros:
+    """Where a quantity goes through zero until `end`, t = 0 left out."""
 
     def of(times: Floats) -> Floats:
-        states = motion.path(times).T
-        return np.array([value(float(t), state) for t, state in zip(times, states, strict=True)])
+        return value(times, motion.path(times)) if len(times) else times
 
-    def at(time: float) -> float:
-        return float(of(np.array([time]))[0])
-
-    looks = [look for span in pairwise(motion.steps) for look in _looks(of, *span, DEEPEST)]
-    times, values = np.array([(0.0, at(0.0)), *looks]).T
-    # Between two zeros near each other, of three values with one sign the middle one is the least.
-    size = np.abs(values)
-    for k in np.flatnonzero((size[1:-1] < size[:-2]) & (size[1:-1] < size[2:])) + 1:
-        sign = np.sign(values[k])
-        if sign == np.sign(values[k - 1]) == np.sign(values[k + 1]):
-            around = sorted((float(times[k - 1]), float(times[k + 1])))
-            least, depth = _least(at, sign, *around)
-            if depth < -NOISE * size.max():
-                times, values = np.append(times, least), np.append(values, sign * depth)
-    order = np.argsort(np.abs(times))
-    found = []
-    for (left, before), (right, after) in pairwise(zip(times[order], values[order], strict=True)):
-        if after == 0 != before:
-            found.append(float(right))
-        elif before * after < 0:
-            zero = float(brentq(at, left, right, xtol=1e-14, rtol=4 * np.finfo(float).eps))
-            if abs(at(zero)) <= max(abs(before), abs(after)):  # at a pole the sign changes too
-                found.append(zero)
-    return [x for x in found if abs(x) <= abs(end)]
+    times, values = _dips(of, *_looks(of, motion.steps))
+    before, after = values[:-1], values[1:]
+    through = before * after < 0
+    found = _between(of, times[:-1][through], times[1:][through], before[through], after[through])
+    # At a pole the sign changes too.
+    small = np.abs(of(found)) <= np.maximum(np.abs(before), np.abs(after))[through]
+    hit = (after == 0) & (before != 0)
+    at = np.concatenate([found[small], times[1:][hit]])
+    earlier = np.concatenate([before[through][small], before[hit]])
+    chosen = np.abs(at) <= abs(end)
+    at, earlier = at[chosen], earlier[chosen]
+    states = motion.path(at) if len(at) else np.empty((len(motion.path(motion.steps[:1])), 0))
+    return Zeros(at, states, (earlier < 0) == (end > 0))
 
 
-def _least(
-    value: Callable[[float], float], sign: float, left: float, right: float
-) -> tuple[float, float]:
-    """Where between two times ±value is least, and what it is there."""
-    found = minimize_scalar(lambda t: sign * value(t), bounds=(left, right), method="bounded")
-    return float(found.x), float(found.fun)
+def _looks(of: Callable[[Floats], Floats], steps: Floats) -> tuple[Floats, Floats]:
+    """Times and values, so dense that every other value follows from the rest."""
+    times, values = [steps[:1]], [of(steps[:1])]
+    starts, ends = steps[:-1], steps[1:]
+    for depth in range(DEEPEST, -1, -1):
+        at = starts[:, None] + (ends - starts)[:, None] * PLACES
+        at[:, -1] = ends
+        found = of(at.ravel()).reshape(at.shape)
+        missed = np.abs(found[:, ::2] @ BETWEEN.T - found[:, 1::2]).max(axis=1, initial=0.0)
+        enough = 0.05 * np.ptp(found, axis=1), 1e-12 * np.abs(found).max(axis=1)
+        dense = (missed <= np.maximum(*enough)) | (depth == 0)
+        times.append(at[dense, 1:].ravel())
+        values.append(found[dense, 1:].ravel())
+        starts, ends = starts[~dense], ends[~dense]
+        if not len(starts):
+            break
+        middle = (starts + ends) / 2
+        starts, ends = np.append(starts, middle), np.append(middle, ends)
+    t, x = np.concatenate(times), np.concatenate(values)
+    order = np.argsort(np.abs(t))
+    return t[order], x[order]
 
 
-def _looks(
-    of: Callable[[Floats], Floats], start: float, end: float, depth: int
-) -> Iterator[tuple[float, float]]:
-    """Times and values behind `start`, so dense that every other value follows from the rest."""
-    times = start + (end - start) * PLACES
-    times[-1] = end
-    values = of(times)
-    missed = np.abs(BETWEEN @ values[::2] - values[1::2]).max()
-    if depth == 0 or missed <= max(0.05 * np.ptp(values), 1e-12 * np.abs(values).max()):
-        yield from zip(times[1:], values[1:], strict=True)
-    else:
-        middle = (start + end) / 2
-        yield from _looks(of, start, middle, depth - 1)
-        yield from _looks(of, middle, end, depth - 1)
+def _dips(of: Callable[[Floats], Floats], t: Floats, x: Floats) -> tuple[Floats, Floats]:
+    """With the places between at which it may go through zero and back.
+
+    Between two zeros near each other, of three values with one sign the middle one is the least.
+    """
+    size, sign = np.abs(x), np.sign(x)
+    same = (sign[1:-1] == sign[:-2]) & (sign[1:-1] == sign[2:])
+    # What is smooth goes no deeper than it rises on both sides.
+    near = size[1:-1] <= np.abs(np.diff(x))[1:] + np.abs(np.diff(x))[:-1]
+    k = np.flatnonzero((size[1:-1] < size[:-2]) & (size[1:-1] < size[2:]) & same & near) + 1
+    left, right, signs = t[k - 1], t[k + 1], sign[k]
+    for _ in range(NARROWED if len(k) else 0):
+        inner = right - GOLDEN * (right - left), left + GOLDEN * (right - left)
+        first, second = (signs * of(at) for at in inner)
+        lower = first < second
+        left, right = np.where(lower, left, inner[0]), np.where(lower, inner[1], right)
+    least = (left + right) / 2
+    depth = of(least)
+    deep = signs * depth < -NOISE * size.max()
+    t, x = np.append(t, least[deep]), np.append(x, depth[deep])
+    order = np.argsort(np.abs(t))
+    return t[order], x[order]
+
+
+def _between(
+    of: Callable[[Floats], Floats], a: Floats, b: Floats, before: Floats, after: Floats
+) -> Floats:
+    """The zeros within brackets, at whose ends the signs differ: false position, and halves."""
+    a, b, before, after, best = a.copy(), b.copy(), before.copy(), after.copy(), b.copy()
+    left = np.arange(len(a))
+    for k in range(MOST):
+        if not len(left):
+            break
+        x, y, lower, upper = a[left], b[left], before[left], after[left]
+        new = (x + y) / 2 if k % 3 == 2 else (x * upper - y * lower) / (upper - lower)
+        value = of(new)
+        moved = np.abs(new - best[left])
+        best[left] = new
+        crossed = value * upper < 0
+        # The end that stays counts half, so that it does not stay for ever (Illinois).
+        a[left] = np.where(crossed, y, x)
+        before[left] = np.where(crossed, upper, lower / 2)
+        b[left], after[left] = new, value
+        narrow = 1e-14 + 4 * FLOAT * np.abs(new)
+        left = left[(value != 0) & (moved > narrow) & (np.abs(b[left] - a[left]) > narrow)]
+    return best

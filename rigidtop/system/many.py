@@ -1,19 +1,31 @@
-"""Many motions of a system."""
+"""Many motions of a system: together where that is possible, else one after the other."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
+from typing import overload
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
+from sympy import Expr, Symbol
 
 from rigidtop.errors import RigidtopError
-from rigidtop.motion import checks
+from rigidtop.motion import abreast, checks, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.system.motion import SystemMotion, row, started
-from rigidtop.system.names import Given, numbers
+from rigidtop.motion.integrate import TAYLOR, Accuracy, sides
+from rigidtop.system.motion import TOO_SMALL, SystemMotion
+from rigidtop.system.names import Given, as_assumed, numbers
 from rigidtop.system.numeric import Computed
+from rigidtop.system.start import row, sizes, with_units
+
+AT_ONCE = 1 << 11
+"""So many motions at a time: NumPy's calls cost little then, and the arrays stay near."""
+
+
+Together = Callable[[NDArray[np.intp], Floats, Accuracy], Floats]
+"""Which motions (L,), times (N,) and the accuracy in, their states (N, 2n, L) out."""
 
 
 def many(system: Computed, parameters: Given, q: Given, qdot: Given) -> SystemMotions:
@@ -23,51 +35,186 @@ def many(system: Computed, parameters: Given, q: Given, qdot: Given) -> SystemMo
     given = [*parameters.items(), *row(system, "q", q).items(), *row(system, "qdot", qdot).items()]
     arrays = [(str(x), checks.numbers(str(x), value)) for x, value in given]
     shape = checks.common_shape(dict(arrays))
-    flat = (np.broadcast_to(value, shape).ravel().tolist() for _, value in arrays)
-    first, last = len(parameters), len(parameters) + len(system.q)
-    motions = (
-        started(system, dict(zip(parameters, each, strict=False)), each[first:last], each[last:])
-        for each in zip(*flat, strict=True)
-    )
-    return SystemMotions(tuple(motions), shape)
+    flat = [np.broadcast_to(value, shape).ravel() + 0.0 for _, value in arrays]
+    count, n = len(parameters), len(system.q)
+    ordered = _in_order(system, dict(zip(parameters, flat[:count], strict=True)))
+    values = np.reshape(ordered, (len(ordered), flat[-1].size))
+    made = SystemMotions(system, values, np.stack(flat[count:-n]), np.stack(flat[-n:]), shape)
+    made.check()
+    return made
 
 
-@dataclass(frozen=True)
-class SystemMotions:
+def _in_order(system: Computed, parameters: Mapping[Expr, Floats]) -> list[Floats]:
+    """K numbers for each parameter of the system.  Raises RigidtopError as `numbers` does."""
+    given = {str(getattr(key, "name", key)): values for key, values in parameters.items()}
+    numbers(system.parameters, {name: next(iter(x), 1.0) for name, x in given.items()})
+    rows = [given[letter.name] for letter in system.parameters]
+    for letter, values in zip(system.parameters, rows, strict=True):
+        for value in _telling(letter, values):
+            as_assumed(letter, float(value))
+    return rows
+
+
+def _telling(letter: Symbol, values: Floats) -> Floats:
+    """Values of which all are as a letter is assumed to be where these are."""
+    words = ("integer", "noninteger", "even", "odd", "prime", "composite")
+    if any(getattr(letter, f"is_{word}") is not None for word in words):
+        return np.unique(values)
+    if not len(values):
+        return values
+    return values[[values.argmin(), values.argmax(), np.abs(values).argmin()]]
+
+
+@dataclass(frozen=True, eq=False)
+class SystemMotions(Sequence[SystemMotion]):
     """Many motions of a system; made by `System.motions`.  It is a sequence of `SystemMotion`s."""
 
-    motions: tuple[SystemMotion, ...] = field(repr=False)
-    """In the order of an array that is read row by row."""
+    system: Computed
+    parameters: Floats = field(repr=False)
+    """In the order of `System.parameters`, shape (p, K); K runs as an array read row by row."""
+
+    q: Floats = field(repr=False)
+    """Shape (n, K)."""
+
+    qdot: Floats = field(repr=False)
+    """Shape (n, K)."""
 
     shape: tuple[int, ...]
     """Of the arrays that were given, broadcast: S."""
 
     def __len__(self) -> int:
-        return len(self.motions)
+        return int(self.q.shape[1])
 
-    def __getitem__(self, index: int) -> SystemMotion:
-        return self.motions[index]
+    @overload
+    def __getitem__(self, index: int) -> SystemMotion: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[SystemMotion, ...]: ...
+    def __getitem__(self, index: int | slice) -> SystemMotion | tuple[SystemMotion, ...]:
+        if isinstance(index, slice):
+            return tuple(self[k] for k in range(*index.indices(len(self))))
+        of_one = (tuple(x[:, index].tolist()) for x in (self.parameters, self.q, self.qdot))
+        return SystemMotion(self.system, *of_one)
+
+    def check(self) -> None:
+        """Raises RigidtopError where one of the motions can't start so."""
+        if self.system.constraints:
+            suspects: Sequence[int] = range(len(self))
+        else:
+            try:
+                with np.errstate(divide="raise", over="raise", invalid="raise"):
+                    rates = self._rates(self._start, np.arange(len(self)))
+                fine = np.isfinite(rates).all(axis=0) & self._allowed(self._start)
+                suspects = np.flatnonzero(~fine).tolist()
+            except FloatingPointError:  # as of 1/(1/0), which is finite all the same
+                suspects = range(len(self))
+        for k in suspects:
+            self[k].check()
 
     def integrate(
         self,
         t: ArrayLike,
-        method: str = "DOP853",
+        method: str | None = None,
         rtol: float = 1e-10,
         atol: float = 1e-12,
         progress: Callable[[int, int], None] | None = None,
     ) -> Floats:
         """The coordinates and velocities at the N times `t`, shape (2, *S, N, n).
 
-        As `SystemMotion.integrate` has them; `progress` is called with the number of motions that
-        are done, and of all.
+        As `SystemMotion.integrate` has them, to the tolerance; `way` says how they are found.
+        Without a `method` it is "taylor" where heyoka is there and has all functions that occur,
+        else "DOP853".  `progress` is called with the number of motions that are done, and of all.
+
+        Raises RigidtopError where a motion does not arrive.
         """
-        found = []
-        for done, motion in enumerate(self.motions):
-            run = motion.integrate(t, method, rtol, atol)
-            found.append(np.stack([run.q, run.qdot]))
-            if progress is not None:
-                progress(done + 1, len(self.motions))
-        if not found:
+        times = checks.times(t)
+        if not len(self):
             raise RigidtopError("there are no motions: an array that was given is empty")
-        stacked = np.stack(found, axis=1)
-        return stacked.reshape(2, *self.shape, *stacked.shape[2:])
+        accuracy = Accuracy(method or self.system.numeric.method, rtol, atol)
+        together = self._together(accuracy.method)
+        size = AT_ONCE if together else 1
+        found = np.empty((len(times), 2 * len(self.q), len(self)))
+        for first in range(0, len(self), size):
+            which = np.arange(first, min(first + size, len(self)))
+            if together:
+                found[..., which] = together(which, times, accuracy)
+            for k in which[np.isnan(found[..., which]).any((0, 1))] if together else which:
+                run = self[int(k)].integrate(times, accuracy.method, rtol, atol)
+                found[..., k] = np.hstack([run.q, run.qdot])
+            if progress is not None:
+                progress(int(which[-1]) + 1, len(self))
+        both = found.transpose(2, 0, 1).reshape(*self.shape, len(times), 2, len(self.q))
+        return np.ascontiguousarray(np.moveaxis(both, -2, 0))
+
+    def way(self, method: str | None = None) -> str:
+        """How `integrate` goes about it, in words: in batches, on arrays or one after the other.
+
+        >>> from sympy import symbols
+        >>> from rigidtop.system.system import System
+        >>> x, v = symbols("x v", real=True)
+        >>> springs = System(v**2/2 - x**2/2, [x], [v]).motions(q=[[1, 2, 3]])
+        >>> springs.way("DOP853"), springs.way("Radau")
+        ('DOP853 on arrays of 2048', 'Radau, one after the other')
+        """
+        method = Accuracy(method or self.system.numeric.method).method
+        if not self._together(method):
+            return f"{method}, one after the other"
+        if method == TAYLOR:
+            return f"{method} in batches of {taylor.batch()}"
+        return f"{method} on arrays of {AT_ONCE}"
+
+    def _together(self, method: str) -> Together | None:
+        """What gives the states of motions together, NaN where it does not, if anything does."""
+        if self.system.constraints:  # to which each is brought back on its own
+            return None
+        if method == "DOP853":
+            return self._abreast
+        # Between its times nobody sees on which side a coordinate of one sign is.
+        return self._in_batches if method == TAYLOR and not self.system.one_sided else None
+
+    @cached_property
+    def _start(self) -> Floats:
+        numeric = self.system.numeric
+        more = np.zeros((int(numeric.works) + int(numeric.timed), len(self)))
+        return np.concatenate([self.q, self.qdot, more])
+
+    def _rates(self, states: Floats, which: NDArray[np.intp]) -> Floats:
+        numeric, n = self.system.numeric, len(self.q)
+        time = states[-1] if numeric.timed else np.zeros(len(which))
+        made = numeric.rates.array(time, *states[: 2 * n], *self.parameters[:, which])
+        return np.concatenate([made, np.ones((1, len(which)))]) if numeric.timed else made
+
+    def _allowed(self, states: Floats) -> NDArray[np.bool_]:
+        made = np.ones(states.shape[1], dtype=bool)
+        for k, sign in self.system.one_sided:
+            made &= sign * states[k] > 0
+        return made
+
+    def _abreast(self, which: NDArray[np.intp], times: Floats, accuracy: Accuracy) -> Floats:
+        course = abreast.Course(
+            lambda states, some: self._rates(states, which[some]),
+            lambda states: sizes(self.system, states),
+            self._allowed,
+        )
+        start = self._start[:, which]
+        return self._settled(times, start, lambda at: abreast.states(course, start, at, accuracy))
+
+    def _in_batches(self, which: NDArray[np.intp], times: Floats, accuracy: Accuracy) -> Floats:
+        start, series = self._start[:, which], self.system.numeric.series
+        unit = sizes(self.system, start)
+        values = with_units(self.system, unit, self.parameters[:, which])
+
+        def states(at: Floats) -> Floats:
+            with series(accuracy.rtol, taylor.batch()) as integrator:
+                return taylor.sampled(integrator, start / unit, values, at) * unit
+
+        return self._settled(times, start, states)
+
+    def _settled(self, times: Floats, start: Floats, states: Callable[[Floats], Floats]) -> Floats:
+        """On both sides of t = 0, q and q̇ at `times`; NaN where a finer tolerance is wanted."""
+        found = np.empty((len(times), *start.shape))
+        for rows, ordered in sides(times):
+            found[rows] = states(ordered)
+        largest = np.maximum(np.abs(start), np.abs(found).max(axis=0))
+        grown = sizes(self.system, largest) > TOO_SMALL * sizes(self.system, start)
+        found[..., ~grown.all(axis=0)] = np.nan
+        return found[:, : 2 * len(self.q)]

@@ -7,11 +7,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from html import escape
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from sympy import Expr, Symbol
 
 from rigidtop.errors import RigidtopError
@@ -20,17 +20,23 @@ from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import Accuracy, Flow, Problem, flow, on_both_sides
 from rigidtop.motion.rows import Rows
 from rigidtop.parameters import in_one_line
-from rigidtop.system.events import zeros
+from rigidtop.system.events import Watched, Zeros, joined_zeros, zeros
 from rigidtop.system.held import Surface
 from rigidtop.system.names import Given, expression, numbers
 from rigidtop.system.numeric import Computed, computed, magnitude
+from rigidtop.system.start import row, sizes, with_units
+
+if TYPE_CHECKING:
+    from rigidtop.system.lyapunov import LyapunovExponent
 
 HOLDS = 1e-9
 """How well a constraint has to hold at the start, relative to its terms."""
 
-
 TOO_SMALL = 1e-3
 """A motion that stays below this part of what its tolerances are fractions of is done again."""
+
+UNTIL = ""
+"""The name of what ends a motion, among events."""
 
 
 def started(
@@ -45,41 +51,6 @@ def started(
     made = SystemMotion(system, tuple(map(float, values)), places, rates)
     made.check()
     return made
-
-
-def row(system: Computed, what: str, given: Given) -> dict[Symbol, Any]:
-    """What is given for each coordinate ("q") or velocity ("qdot"), in their order."""
-    letters = system.names.q if what == "q" else system.names.v
-    shown = ", ".join(map(system.names.spelled, letters))
-    if given is None and what == "q":
-        raise RigidtopError(f"where does it start? q = a number for each of {shown}")
-    given = {} if given is None else given
-    if isinstance(given, Mapping):
-        places = {}
-        for key, value in given.items():
-            place = _place(key, letters, system)
-            if place is None:
-                raise RigidtopError(f"{what} has {key!s}, which is none of {shown}")
-            places[place] = value
-        missing = [x.name for k, x in enumerate(letters) if k not in places]
-        if missing and what == "q":
-            raise RigidtopError(f"q has no number for {', '.join(missing)}")
-        values = [places.get(k, 0.0) for k in range(len(letters))]
-    else:
-        values = list(given) if np.iterable(given) and not isinstance(given, str) else [given]
-    if len(values) != len(letters):
-        raise RigidtopError(f"{what} has {len(values)} numbers, for {shown}")
-    return dict(zip(letters, values, strict=True))
-
-
-def _place(key: Expr, letters: Sequence[Symbol], system: Computed) -> int | None:
-    """Which coordinate is meant, also where its velocity is: by symbol, function or name."""
-    names = system.names
-    for k, x in enumerate(letters):
-        own = (names.q[k], names.v[k], names.given.get(names.q[k]), names.given.get(names.v[k]))
-        if key in own or key in (x.name, names.q[k].name, names.spelled(names.v[k])):
-            return k
-    return None
 
 
 @dataclass(frozen=True)
@@ -175,31 +146,31 @@ class SystemMotion:
         leaves out.  `atol` is that of a motion whose coordinates, or velocities, come to 1; where
         the largest of them stays smaller, as in atoms, it is a fraction of that.
 
-        `events` are quantities by name, of q, q̇ and t, whose zeros are wanted: see
-        `SystemTrajectory.events`.  Rows after the first zero of `until` (before it, for t < 0) are
-        left out.  Constraints hold to rounding: when the solver's errors lead away from them, the
-        state is brought back, by as little as the masses allow.
+        `events` are quantities by name, of q, q̇ and t, or pairs of one and a direction, +1 or −1:
+        see `SystemTrajectory.crossings`.  Rows after the first zero of `until` (before it, for
+        t < 0), which may be such a pair, are left out.  Constraints hold to rounding: when the
+        solver's errors lead away from them, the state is brought back, by as little as the masses
+        allow.
 
         Raises RigidtopError where the solver does not arrive.
         """
         times = checks.times(t)
         accuracy = Accuracy(method, rtol, atol)
-        numeric = self.system.numeric
         start = np.array([*self.q, *self.qdot, *([0.0] * self._more)])
         if not isinstance(events or {}, Mapping):
             raise RigidtopError(
                 f"events are given as {{name: quantity}}, not {in_one_line(events)}"
             )
-        wanted = {name: self._watched(name, x) for name, x in (events or {}).items()}
+        wanted = {name: self._watched(f"the event {name}", x) for name, x in (events or {}).items()}
         if until is not None:
             wanted[UNTIL] = self._watched("until", until)
-        seen: dict[str, list[float]] = {name: [] for name in wanted}
+        seen: dict[str, list[Zeros]] = {name: [] for name in wanted}
 
         def sample(motion: Flow, ordered: Floats) -> Floats:
-            for name, value in wanted.items():
-                seen[name] += zeros(motion, value, float(ordered[-1]))
-            states = motion.path(ordered)
-            return self._surface.onto(ordered, states) if self.system.constraints else states
+            for name, watched in wanted.items():
+                seen[name].append(zeros(motion, watched.value, float(ordered[-1])))
+                seen[name][-1] = seen[name][-1].towards(watched.direction)
+            return self._kept(ordered, motion.path(ordered))
 
         def flows(end: float) -> Flow:
             made = self._flow(start, end, accuracy, self._sizes)
@@ -211,23 +182,84 @@ class SystemMotion:
 
         with np.errstate(all="ignore"):
             states = on_both_sides(flows, start, times, sample)
-        stops = seen.pop(UNTIL, [])
+        stops = [float(x) for found in seen.pop(UNTIL, []) for x in found.times]
         last = min((x for x in stops if x > 0), default=math.inf)
         first = max((x for x in stops if x < 0), default=-math.inf)
         kept = (times <= last) & (times >= first)
-        n = len(self.q)
         return SystemTrajectory(
-            motion=self,
-            t=times[kept],
-            q=states[:n, kept].T.copy(),
-            qdot=states[n : 2 * n, kept].T.copy(),
-            work=states[2 * n, kept] if numeric.works else np.zeros(int(kept.sum())),
-            events={
-                name: np.array(sorted(x for x in at if first <= x <= last))
-                for name, at in seen.items()
+            self,
+            times[kept],
+            *self._columns(states[:, kept]),
+            crossings={
+                name: self._section(joined_zeros(found).within(first, last))
+                for name, found in seen.items()
             },
             ended=next((x for x in (last, first) if math.isfinite(x)), None),
         )
+
+    def section(
+        self,
+        quantity: Given,
+        t: ArrayLike,
+        direction: int = 0,
+        method: str | None = None,
+        rtol: float = 1e-12,
+        atol: float = 1e-14,
+    ) -> SystemSection:
+        """Poincaré's section: the states at which a quantity goes through zero, until the time `t`.
+
+        `quantity` is an expression of q, q̇ and t, or an equation; of an angle that turns round
+        sin((φ − c)/2) has the zeros.  `direction` is +1 where it shall increase with the time, −1
+        where it shall decrease, and 0 for both.  `t` (s) may be negative, or a pair of times.
+        Without a `method` it is "taylor" where heyoka is there and has all functions that occur,
+        else "DOP853".
+
+        Raises RigidtopError where the solver does not arrive.
+
+        >>> from sympy import symbols
+        >>> from rigidtop.system.system import System
+        >>> x, v = symbols("x v", real=True)
+        >>> spring = System(v**2/2 - x**2/2, [x], [v]).motion(q=1.0)
+        >>> spring.section(x, 10.0, direction=1).t.round(4)
+        array([4.7124])
+        """
+        method, watched = method or self.system.numeric.method, {"section": (quantity, direction)}
+        run = self.integrate(np.append(0.0, checks.times(t)), method, rtol, atol, watched)
+        return run.crossings["section"]
+
+    def lyapunov(
+        self, t: float, method: str | None = None, rtol: float = 1e-12, atol: float = 1e-14
+    ) -> LyapunovExponent:
+        """The largest Lyapunov exponent over a time `t` > 0 (s), with an estimate of its error.
+
+        A near neighbour is followed by the variational equations, derived from the program of q̈.
+        Raises RigidtopError for systems with constraints, and where the solver does not arrive.
+
+        >>> from sympy import symbols
+        >>> from rigidtop.system.system import System
+        >>> x, v = symbols("x v", real=True)
+        >>> System(v**2/2 + x**2, [x], [v]).motion(q=0.0).lyapunov(1000.0)
+        <LyapunovExponent: 1.412 ± 0.0019>
+        """
+        from rigidtop.system.lyapunov import lyapunov
+
+        accuracy = Accuracy(method or self.system.numeric.method, rtol, atol)
+        start = *self.q, *self.qdot
+        return lyapunov(self.system, self.parameters, start, t, accuracy, self._keeps_signs)
+
+    def _section(self, found: Zeros) -> SystemSection:
+        states = self._kept(found.times, found.states)
+        return SystemSection(self, found.times, *self._columns(states), rising=found.rising)
+
+    def _columns(self, states: Floats) -> tuple[Floats, Floats, Floats]:
+        """q, q̇ and the work of states (…, N), a row each."""
+        n = len(self.q)
+        work = states[2 * n] if self.system.numeric.works else np.zeros(states.shape[1])
+        return states[:n].T.copy(), states[n : 2 * n].T.copy(), work
+
+    def _kept(self, times: Floats, states: Floats) -> Floats:
+        """States (…, N) as the constraints have them."""
+        return self._surface.onto(times, states) if self.system.constraints else states
 
     def _keeps_signs(self, states: Floats) -> None:
         """Raises RigidtopError where a coordinate has left the side on which it was declared."""
@@ -247,30 +279,27 @@ class SystemMotion:
         """The state that keeps the constraints."""
         return self._surface.onto(np.array([time]), state[:, None])[:, 0]
 
-    def _watched(self, name: str, given: Expr) -> Callable[[float, Floats], float]:
-        """A quantity as a function of a time and a state."""
-        system = self.system
-        value = system.quantity(expression(f"the event {name}", given))
-        made = system.numeric.of((value,))
-        n = len(self.q)
+    def _watched(self, name: str, given: Given) -> Watched:
+        """A quantity as a function of times (N,) and states (…, N), and the direction."""
+        system, n = self.system, len(self.q)
+        given, direction = given if isinstance(given, tuple) and len(given) == 2 else (given, 0)
+        if direction not in (-1, 0, 1):
+            raise RigidtopError(f"the direction of {name} is +1, −1 or 0, not {direction}")
+        made = system.numeric.of((system.quantity(expression(name, given)),))
 
-        def at(time: float, state: Floats) -> float:
-            row = (time, *state[: 2 * n].tolist(), *self.parameters)
-            found, why = computed(lambda row: made.scalar(*row), row)
-            if why:
-                raise RigidtopError(f"the event {name} can't be computed at t = {time:g}: {why}")
-            return float(found[0])
+        def value(times: Floats, states: Floats) -> Floats:
+            found: Floats = made.array(times, *states[: 2 * n], *self.parameters)[0].copy()
+            for k in np.flatnonzero(~np.isfinite(found)):  # the reason is told for one number
+                row = (float(times[k]), *states[: 2 * n, k].tolist(), *self.parameters)
+                [found[k], *_], why = computed(lambda row: made.scalar(*row), row)
+                if why:
+                    raise RigidtopError(f"{name} can't be computed at t = {times[k]:g}: {why}")
+            return found
 
-        return at
+        return Watched(value, direction)
 
     def _sizes(self, state: Floats) -> Floats:
-        """What absolute tolerances are fractions of: at most 1, or of q, of q̇, of work."""
-        n, made = len(self.q), np.ones(len(state))
-        for part in (slice(n), slice(n, 2 * n), slice(2 * n, 2 * n + self.system.numeric.works)):
-            largest = np.max(np.abs(state[part]), initial=0.0)
-            if 0 < largest < 1:
-                made[part] = largest
-        return made
+        return sizes(self.system, state)
 
     def _flow(
         self, start: Floats, end: float, accuracy: Accuracy, sizes: Callable[[Floats], Floats]
@@ -282,17 +311,12 @@ class SystemMotion:
 
     def _taylor(self, start: Floats, unit: Floats, end: float, rtol: float) -> Flow:
         """By heyoka's Taylor series, of the state in `unit`s: below 1 its tolerance is absolute."""
-        numeric, n = self.system.numeric, len(self.q)
-        units = np.concatenate([unit[[0, n]], unit[2 * n : 2 * n + numeric.works]])
-        values = [*units, *(1 / units), *self.parameters]
+        values = with_units(self.system, unit, np.array(self.parameters))
         held = self._held if self.system.constraints else None
-        with numeric.series(rtol) as integrator:
+        with self.system.numeric.series(rtol) as integrator:
             integrator.pars[:] = values[: len(integrator.pars)]
             integrator.state[:] = start / unit
             return taylor.propagated(integrator, end, unit, held=held)
-
-
-UNTIL = ""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -314,14 +338,19 @@ class SystemTrajectory(Rows):
     work: Floats
     """What forces have done since t = 0, where the energy is not conserved, shape (N,)."""
 
-    events: Mapping[str, Floats] = field(default_factory=dict)
-    """The times at which each quantity that was asked for changes its sign, increasing.
+    crossings: Mapping[str, SystemSection] = field(default_factory=dict)
+    """Where each of the events that were asked for changes its sign, with times that increase.
 
     A zero at t = 0 is left out, and one at which a quantity only touches zero may be.
     """
 
     ended: float | None = None
     """When `until` was zero, after which there are no rows; None if it was not."""
+
+    @property
+    def events(self) -> dict[str, Floats]:
+        """The times of the `crossings`."""
+        return {name: section.t for name, section in self.crossings.items()}
 
     def columns(self) -> dict[str, Floats]:
         """t, the coordinates, their velocities and the energy."""
@@ -332,7 +361,7 @@ class SystemTrajectory(Rows):
         return made | {"energy/J" if _in_si(self._system) else "energy": self.energy}
 
     @property
-    def plotted(self) -> tuple[str, ...]:
+    def plotted(self) -> tuple[str | tuple[str, str], ...]:
         """The coordinates."""
         return tuple(x.name for x in self._system.names.q)
 
@@ -435,6 +464,22 @@ class SystemTrajectory(Rows):
     def _sized(self, value: Expr) -> tuple[Floats, Floats]:
         made = self._arrays((value, magnitude(value)))
         return made[0], made[1]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class SystemSection(SystemTrajectory):
+    """The states of a motion at which a quantity changes its sign, a row each."""
+
+    rising: NDArray[np.bool_] = field(default_factory=lambda: np.empty(0, dtype=bool))
+    """Whether it increases with the time there, shape (N,)."""
+
+    dots = True
+
+    @property
+    def plotted(self) -> tuple[tuple[str, str], ...]:
+        """The velocity of the last coordinate over that coordinate."""
+        names = self._system.names
+        return ((names.q[-1].name, names.spelled(names.v[-1])),)
 
 
 def _header(x: Symbol, name: str = "") -> str:

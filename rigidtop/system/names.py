@@ -290,16 +290,21 @@ def numbers(letters: Sequence[Symbol], given: Given) -> dict[Expr, Expr]:
             there = f"there are {', '.join(known)}" if known else "there are none"
             raise RigidtopError(f"no parameter {key!s}: {there}")
         number = checks.number(name, value)
-        exact = sympy.Rational(repr(number))
-        for wanted, said in ((True, "must be"), (False, "must not be")):
-            for word in (f"is_{each}" for each in ASSUMED):
-                if getattr(known[name], word) is wanted is not getattr(exact, word):
-                    raise RigidtopError(f"{name} {said} {word[3:]}, not {number:g}")
+        as_assumed(known[name], number)
         found[name] = sympy.Float(repr(number), WRITTEN)
     missing = [name for name in known if name not in found]
     if missing:
         raise RigidtopError(f"no number for {', '.join(missing)}: give {{symbol: number}}")
     return {known[name]: found[name] for name in known}
+
+
+def as_assumed(letter: Symbol, number: float) -> None:
+    """Raises RigidtopError where a number is not what the symbol is assumed to be."""
+    exact = sympy.Rational(repr(number))
+    for wanted, said in ((True, "must be"), (False, "must not be")):
+        for word in (f"is_{each}" for each in ASSUMED):
+            if getattr(letter, word) is wanted is not getattr(exact, word):
+                raise RigidtopError(f"{letter.name} {said} {word[3:]}, not {number:g}")
 
 
 WRITTEN = 60

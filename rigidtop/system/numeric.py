@@ -5,7 +5,7 @@ from __future__ import annotations
 import builtins
 import math
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from keyword import kwlist
@@ -20,6 +20,7 @@ from rigidtop.codegen.heyoka import on_symbols
 from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import taylor
+from rigidtop.motion.integrate import TAYLOR
 from rigidtop.system.canonical import Canonical
 from rigidtop.system.names import own_functions
 
@@ -99,27 +100,111 @@ class Numeric:
         return self._function((*self.system.names.v, *results[:n], *more), "rates")
 
     @cached_property
-    def _free(self) -> dict[float, list[Any]]:
-        """Integrators that nobody uses now, by tolerance."""
+    def _free(self) -> dict[tuple[str, float, int], list[Any]]:
+        """Integrators that nobody uses now, by what they integrate, tolerance and batch."""
         return {}
 
     @contextmanager
-    def series(self, rtol: float) -> Iterator[Any]:
-        """heyoka's integrator to a tolerance, for q, q̇, work and the time in units, at t = 0.
-
-        Its parameters are the units of q, of q̇ and of the work, if it is followed, one over each,
-        and the system's own, without those behind the last that occurs.  It is compiled once, and
-        used again for another start; by one thread at a time.
-        """
-        free = self._free.setdefault(rtol, [])
-        integrator = free.pop() if free else self._compiled(rtol)
+    def _kept(self, of: str, rtol: float, batch: int, make: Callable[[], Any]) -> Iterator[Any]:
+        """An integrator at t = 0, compiled once and used by one thread at a time."""
+        free = self._free.setdefault((of, rtol, batch), [])
+        integrator = free.pop() if free else make()
         try:
-            integrator.time = 0.0
+            if not batch:
+                integrator.time = 0.0
             yield integrator
         finally:
             free.append(integrator)
 
-    def _compiled(self, rtol: float) -> Any:
+    def series(self, rtol: float, batch: int = 0) -> AbstractContextManager[Any]:
+        """heyoka's integrator to a tolerance, for q, q̇, work and the time in units, at t = 0.
+
+        Its parameters are the units of q, of q̇ and of the work, if it is followed, one over each,
+        and the system's own, without those behind the last that occurs.  It is compiled once, and
+        used again for another start; by one thread at a time.  One for a `batch` has so many
+        columns, and its time is set by `taylor.sampled`.
+        """
+        return self._kept("motion", rtol, batch, lambda: self._compiled(rtol, batch))
+
+    def varied(self, rtol: float) -> AbstractContextManager[Any]:
+        """The same of `variation`, and of the time where it occurs.
+
+        Its parameters are the units of q and of q̇, one over each, and what `variation` has behind
+        the states, without those behind the last that occurs.
+        """
+        return self._kept("variation", rtol, 0, lambda: self._compiled_variation(rtol))
+
+    def _compiled_variation(self, rtol: float) -> Any:
+        heyoka, right, n = taylor.loaded(), self.variation, len(self.system.q)
+        given = [heyoka.par[k] for k in range(5 + len(self.system.parameters))]
+        state = heyoka.make_vars(*(f"x{k}" for k in range(4 * n + 1 + self.timed)))
+        time = state[-1] if self.timed else heyoka.expression(0.0)
+        kinds = [0] * n + [1] * n
+        places = [x * given[k] for x, k in zip(state, kinds, strict=False)]
+        inside = [time, *places, *state[2 * n : 4 * n], *given[4:]]
+        rows = on_symbols(heyoka, right, "variation", inside)
+        rows[: 2 * n] = [x * given[2 + k] for x, k in zip(rows, kinds, strict=False)]
+        rows += [heyoka.expression(1.0)] * self.timed
+        occurring = {str(x) for row in rows for x in heyoka.get_params(row)}
+        last = max(k for k, x in enumerate(given) if str(x) in occurring)
+        system = list(zip(state, rows, strict=True))
+        return heyoka.taylor_adaptive(system, [0.0] * len(state), pars=[1.0] * (last + 1), tol=rtol)
+
+    @cached_property
+    def variation(self) -> Function:
+        """Rates of q, q̇, of the direction of a neighbour (2n) and of the logarithm of its distance.
+
+        Of the time, q, q̇, that direction, the parameters and a rate, by which the neighbour's
+        velocities are divided.
+        """
+        system = self.system
+        names, n = system.names, len(system.q)
+        own = [Symbol(f"away_{k}", real=True) for k in range(2 * n)]
+        rate = Symbol("away_rate", positive=True)
+        away: dict[Expr, Expr] = dict(zip(names.q, own, strict=False))
+        away |= {v: rate * x for v, x in zip(names.v, own[n:], strict=True)}
+
+        def slope(value: Expr) -> Expr:
+            return sympy.Add(*(value.diff(x) * away[x] for x in value.free_symbols if x in away))
+
+        lines: list[tuple[Symbol, Expr]] = []
+        for name, value in system.program.shared:
+            lines.append((name, value))
+            change = slope(value)
+            if change != 0:
+                away[name] = Symbol(f"away_{name.name}", real=True)
+                lines.append((away[name], change))
+        results = system.program.results[:n]
+        moved = [rate * x for x in own[n:]] + [slope(value) / rate for value in results]
+        parts = sympy.symbols(f"away_by_:{2 * n}", real=True)
+        lines += zip(parts, moved, strict=True)
+        size = sympy.Add(*(x**2 for x in own))
+        growth = Symbol("away_growth", real=True)
+        along = sympy.Add(*(x * y for x, y in zip(own, parts, strict=True)))
+        lines.append((growth, along / size))
+        turned = [y - growth * x for x, y in zip(own, parts, strict=True)]
+        arguments = (names.t, *names.q, *names.v, *own, *system.parameters, rate)
+        return self.made((*names.v, *results, *turned, growth), "variation", lines, arguments)
+
+    def _compiled(self, rtol: float, batch: int) -> Any:
+        heyoka = taylor.loaded()
+        system, pars = self._in_series
+        start = np.zeros((len(system), batch)) if batch else [0.0] * len(system)
+        make = heyoka.taylor_adaptive_batch if batch else heyoka.taylor_adaptive
+        return make(system, start, pars=np.ones((pars, batch) if batch else pars), tol=rtol)
+
+    @cached_property
+    def method(self) -> str:
+        """Where none is named: "taylor" where heyoka has all that occurs, else "DOP853"."""
+        try:
+            rows, _ = self._in_series
+        except RigidtopError:
+            rows = []
+        return TAYLOR if rows else "DOP853"
+
+    @cached_property
+    def _in_series(self) -> tuple[list[Any], int]:
+        """The equations in heyoka's symbols, and how many parameters they have."""
         heyoka, n = taylor.loaded(), len(self.system.q)
         kinds = [0] * n + [1] * n + [2] * self.works
         count = max(kinds) + 1
@@ -135,12 +220,7 @@ class Numeric:
         # Those behind the last that occurs are not counted.
         occurring = {str(x) for row in rows for x in heyoka.get_params(row)}
         last = max(k for k, x in enumerate(given) if str(x) in occurring)
-        return heyoka.taylor_adaptive(
-            list(zip(state, rows, strict=True)),
-            [0.0] * len(state),
-            pars=[1.0] * (last + 1),
-            tol=rtol,
-        )
+        return list(zip(state, rows, strict=True)), last + 1
 
     def _function(self, results: Sequence[Expr], name: str) -> Function:
         return self.made(results, name, self.system.program.shared)

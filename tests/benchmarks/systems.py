@@ -11,6 +11,7 @@ import sys
 import warnings
 from collections.abc import Callable
 from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -128,6 +129,7 @@ def versions() -> str:
     """What was measured."""
     packages = ("rigidtop", "sympy", "mpmath", "numpy", "scipy")
     told = [f"{package} {version(package)}" for package in packages]
+    told += [f"heyoka {version('heyoka')}"] if find_spec("heyoka") else []
     return ", ".join([f"Python {sys.version.split()[0]}", *told])
 
 
