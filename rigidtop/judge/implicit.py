@@ -69,7 +69,7 @@ class Implicit:
         """How large the sum is at the last step beside each of its terms, at best."""
         terms = self._terms(right)
         shares = [share(-x, Add(*terms) - x, worlds, scaling) for x in terms]
-        return np.min(shares, axis=0)
+        return np.asarray(np.min(shares, axis=0), float)
 
 
 def implicit(question: Question) -> Iterator[Implicit]:

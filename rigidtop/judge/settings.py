@@ -89,8 +89,9 @@ def number(question: Question) -> Judgement | None:
     It is put in: in a world all numbers are of the size of 1.
     """
     left, value = question.left, question.right
-    if isinstance(left, n.Apply) and left.name in _INVERSE:
-        left, value = n.ungrouped(left.of), n.Apply(_INVERSE[left.name], value)
+    match left:
+        case n.Apply(name, of) if name in _INVERSE:
+            left, value = n.ungrouped(of), n.Apply(_INVERSE[name], value)
     names = n.parts(left) if isinstance(left, n.Product) else (left,)
     letters = [x for x in names if isinstance(x, Letter)]
     context, at = question.context, question.at
