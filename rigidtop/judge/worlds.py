@@ -12,7 +12,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 import sympy
 from numpy.typing import NDArray
-from sympy import Expr, Symbol
+from sympy import Expr, Rational, Symbol
 
 from rigidtop.judge.jets import Jet, jet_of, symbols
 from rigidtop.judge.program import Array, Program, Steps, UnknownFunctionError
@@ -34,16 +34,67 @@ CLOSE, _FLOOR = 1e-7, 1e-4
 """Sides that are equal in exact worlds differ by no more than this share of their terms, which are
 of the size of 1 where they are not zero."""
 
+_INEXACT, _TINY = 1e-11, 1e-290
+"""The numbers of worlds are off by this much, and nothing smaller is told from zero."""
+
+_DIGITS = 60
+"""With so many digits sides are compared of which rounding hides the difference."""
+
 _LARGEST = 1e12
 """Of sides with larger terms nothing is seen."""
 
 
 @dataclass(frozen=True, eq=False)
+class Gaps:
+    """By how much pairs of sides differ, with the size of their terms; a column a world.
+
+    `values` are those of the sides one after the other; no less than `floor` is seen.
+    """
+
+    values: Array
+    gap: NDArray[np.float64]
+    size: NDArray[np.float64]
+    floor: NDArray[np.float64]
+
+    @cached_property
+    def known(self) -> NDArray[np.bool_]:
+        """In which worlds all of it has a value."""
+        known = np.isfinite(self.gap).all(axis=0) & np.isfinite(self.size).all(axis=0)
+        return np.asarray(known, bool)
+
+    @property
+    def extent(self) -> NDArray[np.float64]:
+        """The size of the largest terms."""
+        return np.asarray(self.size.max(axis=0), float)
+
+    @property
+    def closed(self) -> NDArray[np.bool_]:
+        """Which differ by no more than rounding."""
+        return np.asarray(self.gap <= CLOSE * self.size + self.floor, bool)
+
+    @property
+    def are_hidden(self) -> bool:
+        """Whether both sides are lost in the rounding of their terms."""
+        seen = np.abs(self.values[:, self.known]).max(axis=0, initial=1)
+        return bool((CLOSE * self.extent[self.known] > seen).any())
+
+    @property
+    def says_little(self) -> bool:
+        """Whether somewhere all is zero, or so large that what is written is rounded away."""
+        extent, floor = self.extent[self.known], self.floor.max(axis=0)[self.known]
+        return bool(((CLOSE * extent < floor) | (extent > _LARGEST)).any())
+
+
+@dataclass(frozen=True, eq=False)
 class Worlds:
-    """Letters with their numbers, a column a world; none where no world was found."""
+    """Letters with their numbers, a column a world; none where no world was found.
+
+    They are `free` where no equation holds in them.
+    """
 
     letters: tuple[Symbol, ...]
     points: Array
+    free: bool = False
 
     @property
     def count(self) -> int:
@@ -60,6 +111,32 @@ class Worlds:
         With `trivially` false they may not all be nothing but zeros, nor so large that whatever
         is written would be rounded away.
         """
+        gaps = self._gaps(sides)
+        if gaps is None or not gaps.known.any():
+            return None
+        if gaps.are_hidden:
+            return self._holds_exactly(sides) if trivially else False
+        if not trivially and gaps.says_little:
+            return False
+        holds = bool(gaps.closed[:, gaps.known].all())
+        if holds and self.free and any(map(_has_extremes, (x for pair in sides for x in pair))):
+            return self._holds_exactly(sides)
+        return holds
+
+    def holds_one(self, sides: Sequence[tuple[Expr, Expr]]) -> bool:
+        """Whether in every world one of several pairs of sides agrees."""
+        gaps = self._gaps(sides)
+        return gaps is not None and bool(gaps.closed.any(axis=0).all())
+
+    def vanish(self, expressions: Sequence[Expr]) -> bool:
+        """Whether all of them are zero in every world."""
+        if not self._knows(expressions) or not self.count:
+            return False
+        values = np.abs(self.program.values(expressions).values)
+        return bool((values < _ZERO).all() and (values <= self._noise(expressions)).all())
+
+    def _gaps(self, sides: Sequence[tuple[Expr, Expr]]) -> Gaps | None:
+        """By how much both sides differ; None where there are no worlds, or no numbers in them."""
         expressions = [x for pair in sides for x in pair] + [a - b for a, b in sides]
         if not self._knows(expressions) or not self.count:
             return None
@@ -70,33 +147,28 @@ class Worlds:
         k = len(sides)
         size = found.sizes[: 2 * k : 2] + found.sizes[1 : 2 * k : 2]
         gap = np.abs(found.values[2 * k :])
-        known = np.isfinite(gap).all(axis=0) & np.isfinite(size).all(axis=0)
-        if not known.any():
+        floor = np.full(gap.shape, _FLOOR * CLOSE)
+        if (size < _FLOOR).any():  # small numbers may be all that is written
+            floor = np.minimum(floor, self._noise(expressions[2 * k :]))
+        return Gaps(found.values[: 2 * k], gap, size, floor)
+
+    def _noise(self, expressions: Sequence[Expr]) -> NDArray[np.float64]:
+        """By how much values change as the numbers of the worlds do within their errors."""
+        slopes = Program(self.letters, self.points, with_slopes=True).values(expressions).slopes
+        total = np.abs(slopes).sum(axis=1)
+        return np.where(np.isfinite(total), _INEXACT * total, np.inf) + _TINY
+
+    def _holds_exactly(self, sides: Sequence[tuple[Expr, Expr]]) -> bool | None:
+        """The same with many digits, where no equation has left its errors in the numbers."""
+        if not self.free:
             return None
-        extent = size[:, known].max(axis=0, initial=0)  # nothing is compared where all is 0 = 0
-        seen = np.abs(found.values[: 2 * k, known]).max(axis=0, initial=1)
-        if (CLOSE * extent > seen).any():
-            return None if trivially else False  # rounding may hide both sides
-        if not trivially and ((extent < _FLOOR) | (extent > _LARGEST)).any():
-            return False
-        return bool((gap[:, known] <= CLOSE * (size[:, known] + _FLOOR)).all())
-
-    def holds_one(self, sides: Sequence[tuple[Expr, Expr]]) -> bool:
-        """Whether in every world one of several pairs of sides agrees."""
-        expressions = [x for pair in sides for x in pair] + [a - b for a, b in sides]
-        if not self._knows(expressions) or not self.count:
-            return False
-        found = self.program.values(expressions)
-        k = len(sides)
-        size = found.sizes[: 2 * k : 2] + found.sizes[1 : 2 * k : 2]
-        gap = np.abs(found.values[2 * k :])
-        return bool((gap <= CLOSE * (size + _FLOOR)).any(axis=0).all())
-
-    def vanish(self, expressions: Sequence[Expr]) -> bool:
-        """Whether all of them are zero in every world."""
-        if not self._knows(expressions) or not self.count:
-            return False
-        return bool((np.abs(self.program.values(expressions).values) < _ZERO).all())
+        for point in self.points.T:
+            put = {x: Rational(float(v.real)) for x, v in zip(self.letters, point, strict=True)}
+            for left, right in sides:
+                gap, size = (x.xreplace(put).evalf(_DIGITS) for x in (left - right, left))
+                if not gap.is_number or abs(gap) > _EXACT**4 * abs(size):
+                    return False
+        return True
 
     def signs(self, expressions: Sequence[Expr]) -> NDArray[np.float64] | None:
         """The sign of each expression in each world; None where they are no numbers."""
@@ -123,7 +195,7 @@ def found(
     More worlds are looked for until there are `enough`, from three times as many places.
     """
     if not equations or not letters:
-        return Worlds(tuple(letters), _starts(letters, 0)[:, :WORLDS])
+        return Worlds(tuple(letters), _starts(letters, 0)[:, :WORLDS], free=True)
     settled = tuple(equations), tuple(letters), frozenset(may_vanish), tuple(not_zero)
     return _found(*settled, enough)
 
@@ -293,6 +365,12 @@ def rank(equations: Sequence[Expr], worlds: Worlds, by: Sequence[Symbol]) -> int
         return 0
     scale = np.abs(slopes).max(axis=1, keepdims=True)
     return int(np.linalg.matrix_rank(slopes / np.where(scale > 0, scale, 1), tol=1e-8))
+
+
+@lru_cache(maxsize=5_000)
+def _has_extremes(expression: Expr) -> bool:
+    """Whether a number in it is so small, or so large, that it may hide what else is written."""
+    return any(x != 0 and not CLOSE < abs(x) < 1 / CLOSE for x in expression.atoms(Rational))
 
 
 def symbols_of(expressions: Sequence[Expr]) -> tuple[Symbol, ...]:
