@@ -50,6 +50,8 @@ FORCED = "forced"
 """Or Lagrange's equation with a force that the Lagrangian does not have."""
 
 
+FIELD = "field"
+"""Or how a function of places changes, which holds at each of them."""
 RULE = "rule"
 """Or what holds of each coordinate, written for any one."""
 
@@ -89,6 +91,7 @@ class Habits:
     behind them, `indices` count particles; `own` are i and e where the text makes them letters, and
     `lengths` are letters that stand for the length of the vector of that name, and `vectors` are
     those without an index. Everything moves with `running`, the time where nothing else is said.
+    `fields` are functions of which only slopes are known at first.
     """
 
     moving: frozenset[Letter] = frozenset()
@@ -99,6 +102,7 @@ class Habits:
     lengths: frozenset[Letter] = frozenset()
     vectors: frozenset[Letter] = frozenset()
     running: Letter = TIME
+    fields: frozenset[Letter] = frozenset()
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,6 +144,8 @@ class Context:
     """The latest equations that have been found to follow."""
     little: tuple[frozenset[Letter], ...] = ()
     """Letters that are said to be much smaller than others, together at a time."""
+    brackets: int = 1
+    """The sign of ∂f/∂q ∂g/∂p in the text's Poisson brackets."""
     limits: tuple[Limit, ...] = ()
     """What letters tend to: zero or infinity."""
     said: Node | None = None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from math import inf
 
@@ -12,20 +12,22 @@ from rigidtop.judge import (
     approximations,
     definitions,
     faults,
+    fields,
     novelties,
     oscillations,
     paths,
     settings,
     worth,
 )
+from rigidtop.judge.brackets import convention
 from rigidtop.judge.context import Constraint
 from rigidtop.judge.faults import NUMBERS
 from rigidtop.judge.laws import LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.meaning import UnclearError
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import ASSUMING, DEFINITION, PREMISE, SAMPLED, UNDECIDED, Outcome
-from rigidtop.judge.question import Judgement, Pair, Question
-from rigidtop.judge.sides import ZERO, named, other_root, own_letters
+from rigidtop.judge.question import Judgement, Question
+from rigidtop.judge.sides import ZERO, letters_of, named, other_root, own_letters
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Letter, Node
@@ -44,9 +46,16 @@ def _judged(question: Question) -> Judgement:
     origin = settings.origin(question)
     if origin is not None:
         return origin
+    sign = convention(left, right)
+    if sign is not None:
+        context = replace(question.context, brackets=sign)
+        return Outcome(DEFINITION, "what its brackets mean"), context
     rule = novelties.rule(question)
     if rule is not None:
         return rule
+    field = fields.equation(question) or fields.value(question)
+    if field is not None:
+        return field
     defined = definitions.definition(question, left, right)
     defined = defined or definitions.definition(question, right, left)
     if defined is not None:
@@ -224,7 +233,28 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
         or faults.contradiction(question)
         or _worked_out(question)
     )
+    outcome = outcome or _wrong_form(question)
     return outcome or Outcome(UNDECIDED, DOES_NOT_FOLLOW), context
+
+
+def _wrong_form(question: Question) -> Outcome | None:
+    """The slip with another expression of what is differentiated, by letters that it has alone."""
+    for function, other in _forms(question):
+        own = question.meaning().scalar(question.context.definitions[function].node)
+        by = {x for side in (question.left, question.right) for x in _places(side, function)}
+        if not by or any(x in letters_of(own) for x in by):
+            continue
+        wrong = faults.slip(replace(question, chosen={function: other}, asked=None))
+        if wrong is not None:
+            return wrong.outcome
+    return None
+
+
+def _places(side: Node, function: Letter) -> Iterator[Node]:
+    """The letters by which a function is differentiated."""
+    for node in n.walked(side):
+        if isinstance(node, n.Derivative) and n.ungrouped(node.of) == function:
+            yield from node.by
 
 
 def _worked_out(question: Question) -> Outcome | None:
@@ -265,16 +295,32 @@ def _one_root(question: Question) -> Judgement | None:
 
 def _other_form(question: Question) -> Judgement | None:
     """Whether it holds with another expression of a function that is differentiated."""
+    for function, other in _forms(question):
+        form = replace(question, chosen={function: other}, asked=None)
+        try:
+            alike = function not in LAGRANGIANS or _moves_alike(question, other)
+            if form.holds() and alike:
+                return _worked_out_so(question)
+        except UnclearError:
+            continue
+    return None
+
+
+def _forms(question: Question) -> Iterator[tuple[Letter, Node]]:
+    """The other expressions of the functions that are differentiated."""
     for function in _differentiated(question):
         for other in question.context.definitions[function].also:
-            try:
-                both = _with_form(question, function, other)
-            except UnclearError:
-                continue
-            alike = function not in LAGRANGIANS or _moves_alike(question, other)
-            if question.of(both).holds() and alike:
-                return question.follows()
-    return None
+            yield function, other
+
+
+def _worked_out_so(question: Question) -> Judgement:
+    """That it follows; the letter of the chain is what was found, not what its slope says first."""
+    outcome, context = question.follows()
+    letter = context.head
+    if isinstance(letter, Letter) and letter in context.definitions and question.inner:
+        definition = replace(context.definitions[letter], node=question.right, also=())
+        context = context.defining(letter, definition)
+    return outcome, context
 
 
 def _differentiated(question: Question) -> set[Letter]:
@@ -287,11 +333,6 @@ def _differentiated(question: Question) -> set[Letter]:
         for of in [n.ungrouped(node.of)]
         if isinstance(of, Letter) and of in question.context.definitions
     }
-
-
-def _with_form(question: Question, function: Letter, other: Node) -> Sequence[Pair]:
-    meanings = question.meanings(chosen={function: other})
-    return question.sides(meanings, question.left, question.right)
 
 
 def _moves_alike(question: Question, other: Node) -> bool:

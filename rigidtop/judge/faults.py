@@ -396,8 +396,10 @@ def is_settled(question: Question) -> bool:
     """
     if question.worlds.count < FEWEST or question.path is not None or question.at.instant:
         return False
-    if isinstance(question.left, Letter) or question.right == ZERO:
+    if question.right == ZERO:
         return False
+    if isinstance(question.left, Letter) and not question.at.derived:
+        return False  # it may be another one
     return _ratio(question) is not None or (is_worked_out(question) and not question.inner)
 
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
+from rigidtop.judge.brackets import conjugates
 from rigidtop.judge.context import TIME, Habits
-from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS, conjugates
+from rigidtop.judge.fields import fields_of
+from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS
 from rigidtop.judge.meaning import is_component
-from rigidtop.judge.starts import COORDINATES
+from rigidtop.judge.starts import COORDINATES, SPEEDS
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.statement import Statement, Unread
@@ -34,6 +36,18 @@ def has_length(read: Iterable[Statement | Unread]) -> bool:
         if isinstance(each, Statement)
         for side in each.sides
     )
+
+
+def _changing(nodes: Iterable[Node], moving: Collection[Letter]) -> set[Letter]:
+    """Places and speeds of which a product has a rate, as v in d(mv)/dt, if nothing else moves."""
+    products = [n.letters(x.of) for x in nodes if isinstance(x, n.Rate) and not x.dotted]
+    return {
+        x
+        for letters in products
+        if not letters & {*moving, TIME}
+        for x in letters
+        if x.base in COORDINATES | SPEEDS
+    }
 
 
 def _velocities(read: Sequence[Statement]) -> set[Letter]:
@@ -114,6 +128,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         for of in [bare(x.of)]
         if isinstance(of, Letter)
     }
+    moving |= _changing(nodes, moving)
     moving |= _velocities(read)
     moving |= _conjugate(read, moving)
     moving |= _parameters(read, moving)
@@ -125,6 +140,9 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         if call.places != (running,) and all(isinstance(x, Letter) for x in call.places):
             functions.setdefault(function, call.places)
     primed = {x.of for x in nodes if isinstance(x, n.Primed) and isinstance(x.of, Letter)}
+    fields = fields_of(read, moving)
+    moving -= fields.keys()
+    functions |= fields
     functions |= dict.fromkeys(_curves(read, primed - {*functions} - moving), (_PLACE,))
     twice = any(isinstance(x, n.Primed) and x.order > 1 and x.of not in functions for x in nodes)
     dotted = any(isinstance(x, n.Rate) and x.dotted for x in nodes)
@@ -158,6 +176,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         frozenset(lengths),
         frozenset(vectors),
         running,
+        frozenset(fields),
     )
 
 

@@ -37,6 +37,10 @@ from rigidtop.tree.statement import Statement
 MOST_OPEN = 3
 """So many lines that were left open are tried where a line would be wrong without them."""
 
+_KINETIC, _POTENTIAL = Letter("T"), Letter("V")
+_TOTALS = (Letter("E"), Letter("H"))
+"""Letters of the whole energy."""
+
 GREATER, LESS = ("≥", ">"), ("≤", "<")
 
 
@@ -138,7 +142,12 @@ class Judge:
     ) -> Iterator[Context]:
         """What p_θ or E stands for where there is a Lagrangian with θ, and nothing else says it."""
         function = next((x for x in LAGRANGIANS if x in context.definitions), None)
-        if letter is None or letter in context.definitions or letter.bold or function is None:
+        if letter is None or letter in context.definitions or letter.bold:
+            return
+        if function is None:
+            if letter in _TOTALS and {_KINETIC, _POTENTIAL} <= context.definitions.keys():
+                total = n.Sum((_KINETIC, _POTENTIAL))
+                yield context.defining(letter, Definition(total, at.number, at.scope))
             return
         with suppress(UnclearError):
             for meant in self._meant_by(letter, function, context):
@@ -152,7 +161,7 @@ class Judge:
         if letter.base == "p":
             own = [v for v in rates if v.of == Letter(letter.sub)] if letter.sub else rates
             yield from (n.Derivative(function, (v,)) for v in own)
-        elif letter in (Letter("E"), Letter("H")):
+        elif letter in _TOTALS:
             terms = [n.Product((v, n.Derivative(function, (v,)))) for v in rates]
             yield n.Sum((*terms, n.Negative(function)))
 
@@ -195,10 +204,31 @@ class Judge:
                     outcome = replace(outcome, why=f"{where}: {outcome.why}")
                 outcomes.append(outcome)
         except (UnclearError, UnknownFunctionError) as why:
-            return Outcome(UNDECIDED, str(why)), before.knowing(letters_in(statement))
+            undecided = Outcome(UNDECIDED, str(why))
+            clear = self._without_unclear(statement, before)
+            if clear is None:
+                return undecided, before.knowing(letters_in(statement))
+            outcome, context = self._in_order(clear, situation, before)
+            return (undecided if outcome.passed else outcome), context
         wrong, context = self._braced(statement, situation, context)
         context = replace(context.knowing(letters_in(statement)), said=statement.sides[0])
         return joint([*outcomes, *wrong]), context
+
+    def _without_unclear(self, statement: Statement, context: Context) -> Statement | None:
+        """A chain without the sides that have no meaning; None if too little is left of it."""
+
+        def is_clear(side: Node) -> bool:
+            try:
+                Meaning(context, self.memory).value(side)
+            except (UnclearError, UnknownFunctionError):
+                return isinstance(side, n.Constant)
+            return True
+
+        sides = tuple(side for side in statement.sides if is_clear(side))
+        whole = len(sides) == len(statement.sides) or {*statement.relations} != {"="}
+        if whole or len(sides) < 2 or sides[0] != statement.sides[0]:
+            return None
+        return replace(statement, sides=sides, relations=("=",) * (len(sides) - 1))
 
     def _braced(
         self, statement: Statement, situation: Situation, context: Context

@@ -11,7 +11,9 @@ from sympy import Expr, Integer, MatrixBase, Symbol
 from sympy.core.function import AppliedUndef
 
 from rigidtop.judge import worlds
+from rigidtop.judge.brackets import conjugates
 from rigidtop.judge.context import (
+    FIELD,
     FORCED,
     LAW,
     LINEAR,
@@ -289,17 +291,6 @@ def hamilton(context: Context) -> list[Constraint]:
     return made
 
 
-def conjugates(names: frozenset[Letter]) -> list[tuple[Letter, Letter]]:
-    """Coordinates with their momenta, by their names: q and p, x and p, θ and p_θ, q₁ and p₁."""
-    pairs = [
-        (q, p)
-        for p in sorted(names, key=str)
-        for q in (Letter(p.sub), Letter("q", p.sub), Letter("x", p.sub), Letter("Q", p.sub))
-        if p.base == ("P" if q.base == "Q" else "p") and q in names
-    ]
-    return pairs if len({p for _, p in pairs}) == len(pairs) else []
-
-
 def _in_rates(
     L: Expr, given: Sequence[Residual], moving: frozenset[Letter]
 ) -> tuple[Expr, frozenset[int]]:
@@ -421,6 +412,8 @@ def _prolonged(residual: Residual, orders: dict[object, int], context: Context) 
     made = [residual.expression]
     if residual.instant:
         return made
+    if residual.kind == FIELD and residual.constraint is not None:
+        return _everywhere(residual.expression, residual.constraint, context)
     moving = context.habits.moving
     here = residual.expression
     if here.has(TIME) and all(not j.order and j.letter not in moving for j in jets(here).values()):
@@ -435,6 +428,21 @@ def _prolonged(residual: Residual, orders: dict[object, int], context: Context) 
             break
         made.append(here)
     return made
+
+
+def _everywhere(expression: Expr, constraint: Constraint, context: Context) -> list[Expr]:
+    """What holds at every place, at a few of them, where it is known what the function is."""
+    if expression.atoms(AppliedUndef):
+        return [expression]
+    functions = context.habits.functions
+    names = letters(constraint.left) | letters(constraint.right)
+    places = {x for name in names if name in functions for x in functions[name]}
+    numbers = (TIME if x == Letter("t") else symbol(Jet(x)) for x in places)  # type: ignore[arg-type]
+    inner = sorted(numbers, key=str)
+    return [
+        expression.xreplace({x: sympy.Rational(k + j, 7) for j, x in enumerate(inner, 2)})
+        for k in range(INSTANTS_OF_TIME)
+    ]
 
 
 def _orders(expressions: Iterable[Expr]) -> dict[object, int]:

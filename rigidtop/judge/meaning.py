@@ -18,6 +18,7 @@ import sympy
 from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Rational, Symbol
 from sympy.core.function import AppliedUndef
 
+from rigidtop.judge.brackets import bracket, conjugates, is_bracket
 from rigidtop.judge.context import Context, Definition
 from rigidtop.judge.jets import TIME, Jet, at_instant, jet_of, jets, operations, rate, symbol
 from rigidtop.tree import nodes as n
@@ -373,7 +374,11 @@ class Meaning:
     def _held_for(self, function: Letter) -> Meaning:
         """Momenta that a function is written in stay what they are while it is differentiated."""
         definition = self.definition(self.named(function))
-        node = self.chosen.get(function) or (definition.node if definition else None)
+        chosen = self.chosen.get(function)
+        if chosen is not None:  # it is written in these letters, whatever they stand for
+            names = {x for x in n.letters(chosen) if self.definition(x) is not None}
+            return self.with_(held=self.held | names)
+        node = definition.node if definition else None
         if node is None or self._has_rates(node):
             return self
         momenta = {x for x in n.letters(node) if self.is_momentum(x)}
@@ -652,7 +657,22 @@ def _determinant(meaning: Meaning, node: n.Matrix) -> Value:
 
 
 def _column(meaning: Meaning, node: n.Tuple) -> Value:
+    if is_bracket(node):
+        value = _poisson(meaning, *node.entries)
+        if value is not None:
+            return value
     return _in_space(meaning, ImmutableMatrix([meaning.scalar(x) for x in node.entries]))
+
+
+def _poisson(meaning: Meaning, one: Node, other: Node) -> Expr | None:
+    """The bracket of two functions, in their letters as they stand or in what these stand for."""
+    names = meaning.context.letters
+    momenta = frozenset(x for pair in conjugates(names) for x in pair)
+    for inner in (meaning.with_(held=meaning.held | momenta), meaning):
+        value = bracket(inner.scalar(one), inner.scalar(other), names)
+        if value is not None:
+            return meaning.context.brackets * value
+    return None
 
 
 def _in_space(meaning: Meaning, made: MatrixBase) -> Value:

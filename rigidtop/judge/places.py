@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import replace
 
-from rigidtop.judge.context import SETTING, START, Constraint, Context
+from rigidtop.judge.context import SETTING, START, TIME, Constraint, Context
 from rigidtop.judge.sides import is_setting, letters_in, moving_in, named
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import COORDINATES
-from rigidtop.tree.nodes import Letter, Node, Number, Rate, mapped
+from rigidtop.tree.nodes import Letter, Node, Number, Rate, letters, mapped
 from rigidtop.tree.statement import Statement
 
 _RADII = frozenset("rρ")
@@ -31,11 +31,14 @@ def placed(statement: Statement, at: Situation, context: Context) -> Context | N
     if names_it or rates or not somewhere or _speaks_of(statement, zero):
         return None
     fixed = frozenset().union(*(each.letters for each in context.constraints))
-    known = fixed | context.definitions.keys() | context.given | context.declared
+    spoken = frozenset().union(*(letters(x.node) for x in context.definitions.values()))
+    known = fixed | spoken | context.definitions.keys() | context.given | context.declared
     new = {x: replace(x, sub="") for x in letters_in(statement) if x.sub and x not in known}
     counts = Counter(new.values())
     for name, letter in sorted(new.items(), key=str):
-        if counts[letter] > 1 or letter not in context.letters or (at.begins and name.sub != "0"):
+        if counts[letter] > 1 or letter not in context.letters | {TIME}:
+            continue
+        if at.begins and name.sub != "0":
             continue
         value = Constraint(name, letter, at.number, SETTING, at.scope, instant, at.sentence)
         context = context.holding(value)

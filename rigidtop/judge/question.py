@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -116,7 +116,8 @@ class Question:
     """Whether two sides are equal where they stand; `inner` is a link behind a chain's first one.
 
     `signs` are those of ±: with two the sides are the two roots of something. With `asked` other
-    sides are compared, in place of what is written; `path` is the motion that they try.
+    sides are compared, in place of what is written; `path` is the motion that they try. Of a letter
+    that is `chosen` another expression is taken.
     """
 
     left: Node
@@ -129,6 +130,7 @@ class Question:
     asked: tuple[Pair, ...] | None = None
     used: frozenset[int] = field(default_factory=frozenset)
     path: Path | None = None
+    chosen: Mapping[Letter, Node] = field(default_factory=dict)
 
     @property
     def context(self) -> Context:
@@ -183,7 +185,7 @@ class Question:
 
     def meaning(self, **changes: object) -> Meaning:
         """What finds values here, with the first sign."""
-        changes = {"sign": self.signs[0], **changes}
+        changes = {"sign": self.signs[0], "chosen": self.chosen, **changes}
         return Meaning(self.context, self.memory, **changes)  # type: ignore[arg-type]
 
     def meanings(self, **changes: object) -> list[Meaning]:
@@ -299,7 +301,8 @@ class Question:
         names = own_letters(self.left) | own_letters(self.right)
         moves = bool(names & self.moving) or self.moves(*(x for pair in self.both for x in pair))
         # Said of one place, r = R ŷ ends with its sentence, unless the motion passes there.
-        placed = at.instant and not moves and isinstance(self.left, Letter)
+        bare = isinstance(self.left, Letter) and not self.left.sub
+        placed = at.instant and not moves and bare
         until = at.sentence if placed else None
         instant = at.instant if moves else ""
         return Constraint(self.left, self.right, at.number, kind, at.scope, instant, until)

@@ -8,7 +8,7 @@ from rigidtop.judge.context import SETTING, START, Constraint, Context
 from rigidtop.tree.nodes import Letter, Node, Number, Rate
 
 COORDINATES = frozenset("xyzrsqhuldℓηξζθφψαβγδχρσ")
-_SPEEDS = frozenset("vω")
+SPEEDS = frozenset("vω")
 """What these letters stand for where something has a rate: places and angles, and how fast."""
 _TOTALS = (Letter("E"), Letter("ℰ"))
 """Letters of the whole energy."""
@@ -43,4 +43,4 @@ def _still(letter: Letter) -> Node | None:
     """What vanishes at rest of a letter that moves; None if that is not seen by its name."""
     if letter.base in COORDINATES:
         return Rate(letter, 1, True)
-    return letter if letter.base in _SPEEDS and letter.sub not in {*"123"} else None
+    return letter if letter.base in SPEEDS and letter.sub not in {*"123"} else None

@@ -108,14 +108,13 @@ class Worlds:
     def holds(self, sides: Sequence[tuple[Expr, Expr]], trivially: bool = True) -> bool | None:
         """Whether both sides agree in every world; None where they have a value in none.
 
-        With `trivially` false they may not all be nothing but zeros, nor so large that whatever
-        is written would be rounded away.
+        With `trivially` false they may not all be nothing but zeros, nor too large to be seen.
         """
         gaps = self._gaps(sides)
         if gaps is None or not gaps.known.any():
             return None
         if gaps.are_hidden:
-            return self._holds_exactly(sides) if trivially else False
+            return self._holds_exactly(sides)
         if not trivially and gaps.says_little:
             return False
         holds = bool(gaps.closed[:, gaps.known].all())

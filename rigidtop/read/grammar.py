@@ -373,7 +373,10 @@ class Grammar:
             return self.taken(node)
         if matrix and isinstance(node, Matrix):
             return replace(node, bracket=token.text)
-        return node if isinstance(node, Tuple) else Group(node, token.text)
+        if isinstance(node, Tuple):
+            pair = len(node.entries) == 2 and token.text in "{["  # {q, p}
+            return replace(node, bracket=token.text) if pair else node
+        return Group(node, token.text)
 
     def bar(self) -> Node:
         position = self.take().position

@@ -257,7 +257,7 @@ _WRITERS: Final[dict[type[Node], Callable[..., str]]] = {
     n.Nabla: lambda x: rf"\nabla{_PRODUCTS[x.product]} {_within(x.of, ATOM)}",
     n.Dot: lambda x: rf"{_within(x.left, DOT)} \cdot {_within(x.right, CROSS)}",
     n.Cross: lambda x: rf"{_within(x.left, CROSS)} \times {_within(x.right, PRODUCT)}",
-    n.Tuple: lambda x: _bracketed(", ".join(map(latex, x.entries))),
+    n.Tuple: lambda x: _bracketed(", ".join(map(latex, x.entries)), x.bracket),
     n.Matrix: _matrix,
     n.Transposed: lambda x: f"{_base(x.of)}^{{T}}",
     n.Component: lambda x: f"{_within(x.of, ATOM)}{_lowered(x.index)}",

@@ -214,6 +214,7 @@ class Tuple(Node):
     """Entries in one pair of brackets with commas: a vector, or a list of arguments."""
 
     entries: tuple[Node, ...]
+    bracket: str = "("
 
 
 @dataclass(frozen=True, slots=True)

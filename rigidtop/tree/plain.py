@@ -205,7 +205,7 @@ _WRITERS: Final[dict[type[Node], Callable[..., str]]] = {
     n.Nabla: lambda x: "∇" + x.product + (" " if x.product else "") + within(x.of, FACTOR),
     n.Dot: lambda x: f"{within(x.left, DOT)} · {within(x.right, CROSS)}",
     n.Cross: lambda x: f"{within(x.left, CROSS)} × {within(x.right, PRODUCT)}",
-    n.Tuple: lambda x: f"({', '.join(map(plain, x.entries))})",
+    n.Tuple: lambda x: f"{x.bracket}{', '.join(map(plain, x.entries))}{_CLOSES[x.bracket]}",
     n.Matrix: _matrix,
     n.Transposed: lambda x: within(x.of, ATOM) + "ᵀ",
     n.Component: lambda x: within(x.of, ATOM) + _lowered(x.index),
