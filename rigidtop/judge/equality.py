@@ -160,8 +160,9 @@ def _canonical(question: Question) -> Judgement | None:
     if canonical is question.context:
         return None
     question = replace(question.within(canonical), asked=None)
-    if question.holds():
-        return question.follows()
+    forms = (replace(question, chosen={name: node}) for name, node in _forms(question))
+    if any(each.holds() for each in (question, *forms)):
+        return _worked_out_so(question)
     wrong = faults.slip(question, most=NUMBERS)
     return (wrong.outcome, canonical) if wrong is not None else None
 

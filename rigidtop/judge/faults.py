@@ -239,9 +239,13 @@ def _widened(question: Question, known: frozenset[Letter]) -> Worlds:
 
 def _righted(question: Question, change: Change) -> Context:
     """What a text goes on with behind a slip: what it should have said."""
-    path = question.path
+    path, context = question.path, question.context
     if path is None:
-        return question.context
+        definition = context.definitions.get(change.left)  # type: ignore[call-overload]
+        if definition is None:
+            return context
+        also = (*definition.also, change.right)
+        return context.defining(change.left, replace(definition, also=also))  # type: ignore[arg-type]
     definition = Definition(change.right, question.at.number, question.at.scope)
     return path.before.defining(path.letter, definition)
 

@@ -99,6 +99,15 @@ def _parameters(read: Sequence[Statement], moving: Collection[Letter]) -> set[Le
     return parameters
 
 
+_DELTA = Letter("δ")
+
+
+def _has_a_delta(product: n.Product) -> bool:
+    """Whether δ is a factor in it, and no variation: δ θ²."""
+    behind = zip(product.factors, (*product.factors[1:], None), strict=True)
+    return any(one == _DELTA and (x is None or isinstance(x, (n.Power, n.Group))) for one, x in behind)
+
+
 _PLACE = Letter("x")
 
 
@@ -167,6 +176,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         for side in each.sides[:1]
         if side in (Letter("i"), Letter("e"), Letter("π"))
     }
+    own |= {_DELTA for x in nodes if isinstance(x, n.Product) and _has_a_delta(x)}
     return Habits(
         frozenset(moving),
         functions,

@@ -275,19 +275,27 @@ HAMILTONIANS = (Letter("H"), Letter("ℋ"), Letter("𝓗"))
 
 
 def hamilton(context: Context) -> list[Constraint]:
-    """Hamilton's equations for each momentum of a Hamiltonian: q̇ = ∂H/∂p and ṗ = −∂H/∂q."""
+    """Hamilton's equations for each momentum of a Hamiltonian: q̇ = ∂H/∂p and ṗ = −∂H/∂q.
+
+    In other letters it may have another form, as ωP, that has been found equal to it.
+    """
     function = next((x for x in HAMILTONIANS if x in context.definitions), None)
     if function is None or context.lawless:
         return []
-    definition = context.definitions[function]
-    free = letters(definition.node) - context.definitions.keys()
+    definition, moving = context.definitions[function], context.habits.moving
     made = []
-    for q, p in conjugates(free & context.habits.moving):
-        both = (q, Derivative(function, (p,))), (p, Negative(Derivative(function, (q,))))
-        made += [
-            Constraint(Rate(x, 1, True), is_, definition.number, LAW, definition.scope)
-            for x, is_ in both
-        ]
+    for form in (definition.node, *definition.also):
+        own = letters(form) & moving
+        if form is definition.node:
+            own -= context.definitions.keys()
+        for q, p in conjugates(own | moving if form is not definition.node else own):
+            if not own & {q, p}:
+                continue
+            both = (q, Derivative(form, (p,))), (p, Negative(Derivative(form, (q,))))
+            made += [
+                Constraint(Rate(x, 1, True), is_, definition.number, LAW, definition.scope)
+                for x, is_ in both
+            ]
     return made
 
 

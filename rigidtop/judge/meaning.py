@@ -747,7 +747,8 @@ def _unit(_: Meaning, node: n.Unit) -> Expr:
 
 def _product(meaning: Meaning, node: n.Product) -> Value:
     for first, behind in pairwise(node.factors):
-        varied = first == Letter("δ") and first not in meaning.context.definitions
+        own = meaning.context.habits.own | meaning.context.definitions.keys()
+        varied = first == Letter("δ") and first not in own
         if varied and isinstance(behind, (Letter, n.Rate)):
             raise UnclearError("a variation, δ before a letter, is not judged")
     return _multiplied([meaning.value(x) for x in node.factors])

@@ -73,6 +73,7 @@ def _may_be_set(question: Question) -> bool:
         is_setting(left, question.right, known)
         or _is_value(question)
         or bool(at.instant and at.inline)
+        or _is_tuned(question)
     )
     if question.inner and not is_start(left):
         return False
@@ -106,6 +107,14 @@ def number(question: Question) -> Judgement | None:
     definition = Definition(value, at.number, at.scope, supposed=True)
     known = context.defining(letters[-1], definition)
     return Outcome(PREMISE, "a number", question.rests_on_meaning), known
+
+
+def _is_tuned(question: Question) -> bool:
+    """Whether words choose a constant by others: "with δ = J w²"."""
+    at, left = question.at, question.left
+    chosen = at.defined and at.inline and not at.derived
+    free = isinstance(left, Letter) and left not in question.context.definitions
+    return chosen and free and not question.moves(*question.gaps)
 
 
 _INVERSE = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}
