@@ -44,7 +44,7 @@ def explained_first(text: Iterable[S]) -> Iterator[S]:
 def _place(each: Placed, sentence: Sequence[Placed], known: Collection[Letter]) -> int:
     """Before which statement of its sentence one has to stand: the last place if none needs it."""
     name = _explained(each, sentence)
-    places = [k for k, other in enumerate(sentence) if name in _letters(other)]
+    places = [k for k, other in enumerate(sentence) if name in _letters(other) and _says(other)]
     # What several statements speak of may come out of them.
     if name is None or name in known or len(places) != 1 or _named(sentence[places[0]]) == name:
         return len(sentence)
@@ -67,6 +67,11 @@ def _named(each: Placed) -> Letter | None:
         case n.Power(Letter() as letter, n.Number()):
             return letter
     return None
+
+
+def _says(each: Placed) -> bool:
+    """Whether it is more than a letter that is named."""
+    return isinstance(each.statement, Statement) and bool(each.statement.relations)
 
 
 def _letters(each: Placed) -> frozenset[Letter]:

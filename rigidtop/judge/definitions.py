@@ -38,7 +38,9 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
         return None
     meaning = question.meaning(bound={index: 0} if index else {})
     value = meaning.value(other)
-    if speaks_of(value, letter) or _is_fixed(question, letter, value):
+    if speaks_of(value, letter):
+        return None
+    if not _is_replaced(question, letter, other) and _is_fixed(question, letter, value):
         return None
     if meaning.component(letter) is not None:
         return None
@@ -57,6 +59,13 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     why = f"what {in_words(name)} stands for"
     brings = frozenset({in_words(letter)})
     return Outcome(DEFINITION, why, frozenset(meaning.used), brings=brings), known
+
+
+def _is_replaced(question: Question, letter: Letter, other: Node) -> bool:
+    """Whether another letter that moves takes the place of one: put z = h + u."""
+    at, moving = question.at, question.moving
+    new = own_letters(other) & moving - question.context.letters
+    return (at.supposed or at.defined) and letter in moving and len(new) == 1
 
 
 def _stays(question: Question, letter: Letter, value: Value) -> bool:

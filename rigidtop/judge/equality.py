@@ -177,7 +177,7 @@ def _path(question: Question, holds: bool | None) -> Judgement | None:
     if not laws:
         return Outcome(DEFINITION, f"what {in_words(question.left)} stands for"), tried
     new = question.new_letters
-    if paths.solves(question, path.value):
+    if paths.solves(question, path.value) or paths.goes_with_others(question, path.value):
         rests_on = frozenset().union(*(each.rests_on for each in laws))
         rests_on |= question.rests_on_meaning
         solved = replace(tried, results=tried.results | {*new})
@@ -203,6 +203,7 @@ def _judged_new(question: Question, holds: bool | None) -> Judgement:
         or definitions.again(question)
         or settings.place(question)
         or settings.number(question)
+        or settings.elsewhere(question)
         or novelties.letters(question)
         or settings.setting(question)
         or settings.chosen(question)

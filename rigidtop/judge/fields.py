@@ -29,7 +29,7 @@ from rigidtop.tree.statement import Statement
 def fields_of(
     read: Iterable[Statement], moving: Collection[Letter]
 ) -> dict[Letter, tuple[Node, ...]]:
-    """The letters whose slopes a text speaks of first, with the letters of which they are functions.
+    """The letters whose slopes a text speaks of first, with the letters that these are taken by.
 
     Along a motion a slope is a ratio of rates, and no field.
     """

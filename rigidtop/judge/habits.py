@@ -105,7 +105,9 @@ _DELTA = Letter("δ")
 def _has_a_delta(product: n.Product) -> bool:
     """Whether δ is a factor in it, and no variation: δ θ²."""
     behind = zip(product.factors, (*product.factors[1:], None), strict=True)
-    return any(one == _DELTA and (x is None or isinstance(x, (n.Power, n.Group))) for one, x in behind)
+    return any(
+        one == _DELTA and (x is None or isinstance(x, (n.Power, n.Group))) for one, x in behind
+    )
 
 
 _PLACE = Letter("x")
@@ -139,6 +141,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     }
     moving |= _changing(nodes, moving)
     moving |= _velocities(read)
+    moving |= {x for x in map(Letter, "xyz") if x in nodes and Letter("v", x.base) in moving}
     moving |= _conjugate(read, moving)
     moving |= _parameters(read, moving)
     functions: dict[Letter, tuple[Node, ...]] = {}
@@ -174,7 +177,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         side
         for each in read
         for side in each.sides[:1]
-        if side in (Letter("i"), Letter("e"), Letter("π"))
+        if side in (Letter("e"), Letter("π")) or (each.relations and side == Letter("i"))
     }
     own |= {_DELTA for x in nodes if isinstance(x, n.Product) and _has_a_delta(x)}
     return Habits(

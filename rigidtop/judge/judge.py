@@ -60,7 +60,7 @@ class Judge:
         context = context.moved(moving_in(statement))
         outcome, after = self._in_place(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
-        if situation.asked and not outcome.passed:
+        if situation.asked and not outcome.passed and outcome.verdict != DEFINITION:
             return Outcome(UNDECIDED, "it is asked, or denied"), doubting
         if outcome.verdict == FALSE and outcome.rests_on & context.doubted:
             why = "it rests on what has been said in two ways"

@@ -18,39 +18,58 @@ from rigidtop.tree.plain import plain
 from rigidtop.tree.statement import Statement, Unread
 
 _STARTS = re.compile(
-    r"\b(start|begin|initial|at first|released|let go|dropped|anfang|zu beginn|losgelassen"
+    r"\b(start|beginning|begins? (?:at rest|from|with)|initial|at first|released|let go|dropped"
+    r"|anfang|zu beginn|losgelassen"
     r"|début|lâché)",
     re.I,
 )
+
+
+_AGAIN = re.compile(
+    r"\b(?:at|in) (?:this|that) (?:place|point|moment|time|instant|angle|height)", re.I
+)
+_TIME = Letter("t")
 
 
 def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
     """The instant of which each statement speaks; "" for all times."""
     made: list[str] = []
     seen: set[Letter] = {Letter("t"), *moving}
-    sentence, now, resting = -1, "", -1
+    sentence, before, now, resting, any_time, shown = -1, "", "", -1, False, False
     for passage, each in read:
         resting = passage.sentence if Cue.REST in passage.cues else resting
         begun = passage.display and resting == passage.sentence
         over = passage.sentence == sentence and ends_moment(passage.before)
         if passage.sentence != sentence:
-            sentence, now = passage.sentence, ""
+            sentence, before, now, any_time = passage.sentence, now, "", False
+        any_time |= isinstance(each, Statement) and each.sides == (_TIME,)
         if Cue.GENERAL in passage.cues or begun or over:
             now = ""
-        elif Cue.MOMENT in passage.cues:
+        elif Cue.MOMENT in passage.cues and _AGAIN.search(passage.before) and before:
+            now = before
+        elif Cue.MOMENT in passage.cues and not any_time:
             said = _STARTS.search(f"{passage.before} § {passage.behind}")
-            now = START if said else now or f"s{sentence}"
+            another = shown and not passage.display  # at r = a, §, and at r = b, §
+            here = f"s{sentence}" + (f"-{passage.start}" if another else "")
+            now = START if said else here if another else now or here
+        shown = passage.display
         if isinstance(each, Statement) and is_time(each) and now:
             value = each.sides[1]
             if isinstance(value, n.Number) and value.value == 0:
                 now = START
-                made = [START if x == f"s{sentence}" else x for x in made]  # v = 0 at t = 0
+                made = [START if x.startswith(f"s{sentence}") else x for x in made]  # v = 0 at t = 0
         starts = isinstance(each, Statement) and _is_start(each)
         now = START if starts and now else now
         named = not passage.display and _introduces(each, seen)
-        made.append(START if starts else "" if named else now)
+        general = passage.display and _speaks_of_time(each)
+        made.append(START if starts else "" if named or general else now)
         seen |= letters_in(each) if isinstance(each, Statement) else set()
     return made
+
+
+def _speaks_of_time(each: Statement | Unread) -> bool:
+    """Whether the time stands in it, so that it is said of all times."""
+    return isinstance(each, Statement) and any(_TIME in n.letters(side) for side in each.sides)
 
 
 def _introduces(each: Statement | Unread, seen: Collection[Letter]) -> bool:

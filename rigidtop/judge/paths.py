@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
-from sympy import Expr, MatrixBase
+import numpy as np
+from sympy import Expr, MatrixBase, Symbol
 
+from rigidtop.judge import worlds
 from rigidtop.judge.context import PREMISE, Constraint, Context, Definition
 from rigidtop.judge.jets import TIME, Jet, jets, rate, symbol
 from rigidtop.judge.laws import Residual, residuals
-from rigidtop.judge.meaning import Meant
+from rigidtop.judge.meaning import Meant, plain
+from rigidtop.judge.program import Program, UnknownFunctionError
 from rigidtop.judge.question import Pair, Path, Premises, Question
 from rigidtop.judge.sides import ZERO, letters_of, named, speaks_of
-from rigidtop.tree.nodes import Letter
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
 
 MOST_RATES = 3
 """Rates of so high an order are put in."""
@@ -20,13 +25,19 @@ MOST_RATES = 3
 
 def path_of(question: Question) -> Path | None:
     """The motion that a statement gives; None if it gives none."""
-    letter, _ = named(question.left)
+    letter, node = _named_path(question)
     if letter is None or question.at.instant or letter not in question.moving:
         return None
-    value, node = question.meaning().value(question.right), question.right
+    value = question.meaning().value(node)
     if isinstance(value, MatrixBase) or not value.has(TIME):
         return None
     context, at = question.context, question.at
+    own = [each for each in context.followed if letter in each.letters]
+    alone = bool(own) and not question.moves(value) and _moves_with_several(question, letter)
+    if letter in context.definitions and alone:
+        context = context.forgetting(letter)
+        for each in own:
+            context = context.holding(each)
     if letter in context.definitions:
         meant = question.meaning().value(letter)
         place = None if isinstance(meant, MatrixBase) else _place_of(question, meant)
@@ -39,6 +50,25 @@ def path_of(question: Question) -> Path | None:
         return None
     definition = Definition(node, at.number, at.scope, motion=True)
     return Path(letter, value, context.forgetting(letter), definition)
+
+
+def _named_path(question: Question) -> tuple[Letter | None, Node]:
+    """The letter of which the left side is a constant multiple, and what it is by the right one."""
+    letter, _ = named(question.left)
+    if isinstance(question.left, n.Product):
+        factors = question.left.factors
+        moving = [x for x in factors if question.moves(question.meaning().value(x))]
+        if len(moving) == 1 and isinstance(moving[0], Letter):
+            rest = n.Product(tuple(x for x in factors if x is not moving[0]))
+            return moving[0], n.Quotient(question.right, rest)
+    return letter, question.right
+
+
+def _moves_with_several(question: Question, letter: Letter) -> bool:
+    """Whether it stands for a combination of several letters that move, as ζ = x + i y."""
+    value = question.meaning().value(letter)
+    found = [] if isinstance(value, MatrixBase) else [x for x in jets(value) if question.moves(x)]
+    return len(found) > 1
 
 
 def _place_of(question: Question, meant: Expr) -> Letter | None:
@@ -91,6 +121,57 @@ def solves(question: Question, value: Expr) -> bool:
     return question.of(gaps, replace(path.context, constraints=left)).holds()
 
 
+def goes_with_others(question: Question, value: Expr) -> bool:
+    """Whether others that move can go so that all holds, where the motion is put into it.
+
+    What holds is linear in their rates then, and has a solution whatever all other letters are.
+    """
+    path = question.path
+    assert path is not None
+    put = _put_in(path.letter, value, question.context)
+    others = {x for each in laws(question) for x in jets(each.expression) if question.moves(x)}
+    letters = {jet.letter for x in others for jet in jets(x).values()} - {path.letter}
+    pool = Premises(path.before, question.memory).residuals
+    gaps = [
+        each.expression.subs(put, simultaneous=True)
+        for each in pool
+        if letters & letters_of(each.expression) and not each.instant
+    ]
+    if not letters or not gaps:
+        return False
+    moving = question.moving
+    gaps = plain(
+        [x for gap in gaps for x in (gap, rate(gap, moving), rate(rate(gap, moving), moving))]
+    )
+    free = [
+        x for x in worlds.symbols_of(gaps) if any(j.letter in letters for j in jets(x).values())
+    ]
+    if any(gap.diff(x, y) != 0 for gap in gaps for x in free for y in free):
+        return False
+    zero = dict.fromkeys(free, 0)
+    return all(_is_solvable(gaps, free, zero, k) for k in range(_TRIALS))
+
+
+def _is_solvable(
+    gaps: Sequence[Expr], free: Sequence[Symbol], zero: dict[Symbol, int], seed: int
+) -> bool:
+    """Whether linear equations have a solution, the other letters having numbers by chance."""
+    names = [x for x in worlds.symbols_of(gaps) if x not in zero]
+    rng = np.random.default_rng(seed)
+    points = rng.uniform(0.5, 1.9, (len(names), 1)) + 0j
+    rows = [gap.subs(zero) for gap in gaps] + [gap.diff(x) for gap in gaps for x in free]
+    try:
+        values = Program(names, points).values(rows).values[:, 0]
+    except UnknownFunctionError:
+        return False
+    right, matrix = -values[: len(gaps)], values[len(gaps) :].reshape(len(gaps), len(free))
+    solution = np.linalg.lstsq(matrix, right, rcond=1e-9)[0]
+    return bool(np.abs(matrix @ solution - right).max() <= 1e-7 * np.abs(right).max())
+
+
+_TRIALS = 3
+
+
 def tried(question: Question) -> Context:
     """What is known with a motion that is tried: what a Lagrangian says of its letter, too.
 
@@ -113,8 +194,9 @@ def is_free(question: Question) -> bool:
     assert path is not None
     letters = [symbol(Jet(x)) for x in sorted(letters_of(path.value), key=str)]
     same: list[Pair] = [(x, x) for x in letters]
+    known = path.letter in question.context.definitions
     return (
-        path.letter not in question.context.definitions
+        not (known and not _moves_with_several(question, path.letter))
         and bool(letters)
         and not question.at.closed
         and bool(question.of(same, path.context).worlds.count)

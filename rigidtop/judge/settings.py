@@ -33,9 +33,10 @@ def setting(question: Question) -> Judgement | None:
     if question.of(question.both, known).worlds.count:
         return outcome, known
     older = [c for c in context.constraints if c.kind == SETTING and not c.instant]
-    for count in range(len(older) + 1):
+    ended = [[], *([x] for x in reversed(older)), *(older[:k] for k in range(2, len(older) + 1))]
+    for over in ended:
         # What goes together with no earlier case is a case of its own.
-        kept = tuple(c for c in context.constraints if c not in older[:count])
+        kept = tuple(c for c in context.constraints if c not in over)
         known = replace(context, not_zero=(), constraints=kept).holding(set_here)
         if question.of(question.both, known).worlds.count:
             return outcome, known
@@ -55,6 +56,21 @@ def place(question: Question) -> Judgement | None:
     if at.supposed or at.derived or at.closed or not _is_place(question):
         return None
     return Outcome(PREMISE, "a place"), question.context.holding(question.constraint(PLACE))
+
+
+def elsewhere(question: Question) -> Judgement | None:
+    """Another place of what was given one in passing: r = a(1 − e), and then r = a(1 + e)."""
+    context, at, left = question.context, question.at, question.left
+    if not at.inline or at.derived or question.inner or not isinstance(left, Letter):
+        return None
+    older = [c for c in context.constraints if c.left == left and c.scope == at.scope]
+    if not older or left in context.definitions:
+        return None
+    kept = tuple(c for c in context.constraints if c is not older[-1])
+    known = replace(context, constraints=kept).holding(question.constraint(SETTING))
+    if not question.of(question.both, known).worlds.count:
+        return None
+    return Outcome(PREMISE, "another place", question.rests_on_meaning), known
 
 
 def _is_place(question: Question) -> bool:
@@ -112,7 +128,7 @@ def number(question: Question) -> Judgement | None:
 def _is_tuned(question: Question) -> bool:
     """Whether words choose a constant by others: "with δ = J w²"."""
     at, left = question.at, question.left
-    chosen = at.defined and at.inline and not at.derived
+    chosen = at.inline and not (at.derived or at.asked or question.inner)
     free = isinstance(left, Letter) and left not in question.context.definitions
     return chosen and free and not question.moves(*question.gaps)
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rigidtop.judge.context import SETTING, START, Constraint, Context
+from rigidtop.judge.context import PREMISE, SETTING, START, Constraint, Context
+from rigidtop.judge.sides import letters_in
 from rigidtop.tree.nodes import Letter, Node, Number, Rate
+from rigidtop.tree.statement import Statement
 
 COORDINATES = frozenset("xyzrsqhuldℓηξζθφψαβγδχρσ")
 SPEEDS = frozenset("vω")
@@ -36,6 +38,16 @@ def with_energy(context: Context, number: int, scope: tuple[int, ...]) -> Contex
         if letter in context.definitions:
             kept = Constraint(Rate(letter, 1, True), Number("0"), number, SETTING, scope)
             return context.holding(kept)
+    return context
+
+
+def with_velocities(statement: Statement, context: Context, number: int) -> Context:
+    """What is known where a place x occurs for the first time, and v_x has occurred before."""
+    for letter in sorted(letters_in(statement) - context.letters, key=str):
+        speed = Letter("v", letter.base)
+        if letter in context.habits.moving and letter.base in "xyz" and speed in context.letters:
+            law = Constraint(Rate(letter, 1, True), speed, number, PREMISE)
+            context = context.holding(law)
     return context
 
 

@@ -17,7 +17,7 @@ from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import LATE, Read, read_text
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.starts import at_rest, with_energy
+from rigidtop.judge.starts import at_rest, with_energy, with_velocities
 from rigidtop.judge.states import kept
 from rigidtop.read.cues import Cue
 from rigidtop.read.declared import declared
@@ -185,6 +185,7 @@ def _step(
     if time_of_it is not None:
         moment = instant_at(time_of_it)
         context = replace(context, instants={**context.instants, moment: time_of_it})
+    context = with_velocities(each, context, asked.number)
     at = situation(passage, asked.number, moment, passage.scope != scope, read.names)
     at = replace(at, case=asked.is_case)
     if at.instant and is_time(each):

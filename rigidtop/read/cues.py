@@ -87,7 +87,7 @@ _QUANTITY = (
 _PLACE = (
     r"(?:start|beginning|top|bottom|end|edge|(?:turning|lowest|highest|foremost|nearest) point"
     r"|point (?:next|nearest|closest|furthest|farthest)[^,;:§]{0,30}|(?:same |first |last )?moment"
-    r"|instant|(?:peri|ap)helion|maximum|minimum|middle|cent(?:re|er)|wall|surface|axis|rim)"
+    r"|instant|(?:peri|ap)helion|perigee|apogee|(?:peri|apo)cent(?:re|er)|maximum|minimum|middle|cent(?:re|er)|wall|surface|axis|rim)"
 )
 _SMALL = (
     r"(?:small(?:ness of)? (?:§|angles?|oscillations?|vibrations?|displacements?|deviations?"
@@ -134,9 +134,10 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"\bat the (?:time|moment|instant) §[^§]*",
         r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
         r"\b(?:initially|at first|(?<!hangs )(?<!is )(?<!are )(?<!lies )at rest)\b[^§,]*,?",
-        r"\b(?:am (?:Anfang|Ende|Boden)|[ai]m (?:Umkehrpunkt|Scheitel|tiefsten Punkt|höchsten Punkt"
+        r"\b(?:am (?:Anfang|Ende|Boden)|[ai]m (?:Perihel|Aphel|Perigäum|Apogäum|Umkehrpunkt|Scheitel|tiefsten Punkt|höchsten Punkt"
         r"|Moment)|oben|unten|zur Zeit|zum Zeitpunkt|anfangs|zu Beginn)\b[^§]*",
-        r"\b(?:à l'instant|au (?:début|départ|sommet|point le plus (?:haut|bas))|initialement"
+        r"(?:\b|^)(?:à l['’](?:instant|apogée|aphélie)|au (?:début|départ|sommet|périgée|périhélie"
+        r"|point le plus (?:haut|bas))|initialement"
         r"|au moment où)\b[^§]*",
     ),
     Cue.CASE: (
@@ -217,7 +218,7 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
     ),
     Cue.CIRCLE: (r"\b(?:on an? (?:\w+ )?circle|circular|Kreisbahn\w*|circulaire)\b",),
     Cue.OSCILLATION: (
-        r"\b(?:\w*(?:frequen[cz]|fréquen|pulsation|oscill|vibrat|swing|schwing|librat|hunting|rolling)"
+        r"\b(?:\w*(?:frequen[cz]|fréquen|pulsation|oscill|vibrat|swing|schwing|librat|hunting)"
         r"|periods?\b|Perioden?\b|périodes?\b)",
     ),
     Cue.GENERAL: (

@@ -122,13 +122,17 @@ def _together(made: Sequence[Passage]) -> Iterator[Passage]:
     return reversed(together)
 
 
+_EXPANDED = re.compile(r"\\(?:sin|cos|tan)(?![a-z]).*\\approx|\b(?:sin|cos|tan)\b.*≈")
+"""What is said of small angles: sin θ ≈ θ."""
+
+
 def _approximated(made: Iterable[Passage]) -> Iterator[Passage]:
     """Passages; those behind what is small, up to the end of its scope, are approximated."""
     scope: tuple[int, ...] | None = None
     for passage in made:
         if Cue.GENERAL in passage.cues or (scope and passage.scope[: len(scope)] != scope):
             scope = None
-        if passage.cues & {Cue.SMALL, Cue.LARGE}:
+        if passage.cues & {Cue.SMALL, Cue.LARGE} or _EXPANDED.search(passage.text):
             scope = passage.scope if scope is None else scope
         approximated = {Cue.APPROXIMATED} if scope is not None else set()
         yield replace(passage, cues=passage.cues | approximated)
