@@ -57,7 +57,9 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
             value = each.sides[1]
             if isinstance(value, n.Number) and value.value == 0:
                 now = START
-                made = [START if x.startswith(f"s{sentence}") else x for x in made]  # v = 0 at t = 0
+                made = [
+                    START if x.startswith(f"s{sentence}") else x for x in made
+                ]  # v = 0 at t = 0
         starts = isinstance(each, Statement) and _is_start(each)
         now = START if starts and now else now
         named = not passage.display and _introduces(each, seen)

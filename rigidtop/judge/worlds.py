@@ -65,7 +65,7 @@ class Gaps:
     @property
     def extent(self) -> NDArray[np.float64]:
         """The size of the largest terms."""
-        return np.asarray(self.size.max(axis=0), float)
+        return np.asarray(self.size.max(axis=0, initial=0), float)
 
     @property
     def closed(self) -> NDArray[np.bool_]:
@@ -81,7 +81,7 @@ class Gaps:
     @property
     def says_little(self) -> bool:
         """Whether somewhere all is zero, or so large that what is written is rounded away."""
-        extent, floor = self.extent[self.known], self.floor.max(axis=0)[self.known]
+        extent, floor = self.extent[self.known], self.floor.max(axis=0, initial=0)[self.known]
         return bool(((CLOSE * extent < floor) | (extent > _LARGEST)).any())
 
 
