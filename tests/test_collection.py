@@ -265,8 +265,10 @@ def test_an_answer_is_marked_by_a_collection_of_ones_own(own, capsys):
     answer.write_text("$$m l^2\\ddot\\theta - mgl\\sin\\theta = 0$$\n", "utf-8")
     assert main(["mark", f"{own}/", str(answer), *ends]) == 1
     assert "line 1 does not follow: 0 of 1 lines" in capsys.readouterr().out
+    assert main(["new", "--page", str(own.parent / "markdown")]) == 0
     for words, said in (
         ([own], "is a collection, no answer: the answer stands behind it"),
+        ([own.parent / "markdown"], "is a collection, no answer: the answer stands behind it"),
         ([STARTER, answer], "no line of the lecture is called '1.5'"),
         ([answer, answer, answer], "one answer at a time: 3 names are too many"),
     ):

@@ -61,6 +61,7 @@ from rigidtop.proof.model import Model
 from rigidtop.proof.page import Claim, Page
 from rigidtop.read.library import Law, laws_of
 from rigidtop.read.page import read_beside, read_exercises, read_lecture
+from rigidtop.read.tables import rows
 from rigidtop.report.blocks import NOTES, Front
 from rigidtop.terminal.files import text_of
 from rigidtop.theory import symbols
@@ -205,6 +206,15 @@ def is_folder(word: str) -> bool:
     folder = Path(word)
     is_one = (folder / "__init__.py").is_file() or (folder.is_dir() and bool(pages_of(folder)))
     return is_one and not built_in().has(word)
+
+
+def is_collection(folder: Path) -> bool:
+    """Whether a folder has a module, or a page that declares letters: an answer declares none."""
+    if (folder / "__init__.py").is_file():
+        return True
+    pages = pages_of(folder) if folder.is_dir() else ()
+    texts = (text_of(folder / f"{name}.md") for *_, name in pages)
+    return any(True for text in texts for _ in rows(text))
 
 
 @contextmanager
