@@ -116,7 +116,6 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.figures.catalog import FIGURES
     from rigidtop.report.lecture import Edition, Wanted, write_lecture
     from rigidtop.report.solutions import solved
-    from rigidtop.report.ways import gap
     from rigidtop.terminal.files import check_folder
     from rigidtop.terminal.table import paragraph
     from rigidtop.web.player import player
@@ -166,16 +165,16 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         options.record,
     )
     unsolved = [solution.exercise.name for solution in solutions if not solution.passed]
-    gaps = lines.gaps()
-    passed = all(judgement.passed for judgement in judgements) and not (unsolved or gaps)
+    amiss = [*claims.faults(lines), *claims.gaps(lines)]
+    passed = all(judgement.passed for judgement in judgements) and not (unsolved or amiss)
     if options.json:
         print_json({"files": [str(file) for file in files], "passed": passed})
     else:
         print(paragraph(_listed(files, options.output)))
-        print(paragraph(claims.summary(judgements)))
         said = f"NOT CONFIRMED: {', '.join(unsolved)}" if unsolved else "every number confirmed"
-        solved_all = f"{len(solutions)} exercise{'s' * (len(solutions) != 1)} solved"
-        print(paragraph(f"{solved_all}; {said}"))
-        for each in gaps:
-            print(paragraph(gap(each, lines.letters)))
+        solved_all = f"{claims.counted(len(solutions), 'exercise')} solved; {said}"
+        missing = f"{claims.counted(len(unsolved), 'exercise')} not confirmed" if unsolved else ""
+        summary = claims.summary(judgements, lines, more=missing)
+        for each in (solved_all, *amiss, summary):
+            print(paragraph(each))
     return 0 if passed else claims.FAILED
