@@ -18,8 +18,6 @@ from rigidtop.terminal.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
-    from rigidtop.proof.page import Page
-    from rigidtop.proof.verdict import Judgement
 
 ABOUT = "write the lecture as LaTeX and HTML, with figures and exercises"
 
@@ -129,13 +127,11 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     front, points = front_of(options, collection.front), points_of(options)
     check_folder(options.output)  # before half a minute of work, not after it
     lines = collection.lecture_with(collection.exercises)
-    judged: list[tuple[Page, list[Judgement]]] = []
     every = claims.every(collection)
-    for page, judgement in claims.judged(every, collection.letters, lines):
-        if not judged or judged[-1][0] is not page:
-            judged.append((page, []))
-        judged[-1][1].append(judgement)
-    judgements = [judgement for _, section in judged for judgement in section]
+    told = [*claims.judged(every, collection.letters, lines)]
+    judgements = [judgement for _, judgement in told]
+    # A page without claims is read like any other.
+    judged = [(page, [j for home, j in told if home is page]) for page in collection.pages]
     known = {judgement.claim.name: judgement for judgement in judgements}
     solutions = [
         solved(each, judged=known, lines=lines) for each in over("solving", collection.exercises)

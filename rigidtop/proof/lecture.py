@@ -166,7 +166,7 @@ class Lecture:
             for shown in text.shown:
                 if shown.line is not None:
                     tags = {e.tag for e in shown.line.equations if e.tag}
-                    for name in {shown.name, *tags} - {""}:
+                    for name in sorted({shown.name, *tags} - {""}):
                         made.setdefault(name, []).append(shown.line.id)
         return {name: tuple(ids) for name, ids in made.items()}
 
@@ -210,21 +210,22 @@ class Lecture:
         Names are equations' numbers and claims' names, each at its last line, so that the order of
         reading is kept; a law goes by its id.
         """
-        named = {id: id for id in self.laws} | {ids[-1]: name for name, ids in self.names.items()}
+        named: dict[str, tuple[str, ...]] = {}  # a line may have a number and a name
+        for name, ids in self.names.items():
+            named[ids[-1]] = (*named.get(ids[-1], ()), name)
+        named = {id: (id,) for id in self.laws} | named
         of_name = {**{id: (id,) for id in self.laws}, **self.names}
         made: dict[str, tuple[str, ...]] = {}
-        for id in self.lines:
-            if id not in named:
-                continue
+        for name in (name for id in self.lines for name in named.get(id, ())):
             found: set[str] = set()
-            waiting = [cited for each in of_name[named[id]] for cited in self.cites(each)]
+            waiting = [cited for each in of_name[name] for cited in self.cites(each)]
             while waiting:
                 cited = waiting.pop()
                 if cited in named:
-                    found.add(named[cited])
+                    found.update(named[cited])
                 else:
                     waiting += self.cites(cited)
-            made[named[id]] = tuple(name for name in made if name in found)
+            made[name] = tuple(other for other in made if other in found)
         return made
 
     def resting(self, name: str) -> tuple[str, ...]:

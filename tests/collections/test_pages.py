@@ -149,3 +149,34 @@ def test_the_kinds_are_those_of_the_guide():
 
     guide = Path(__file__).parents[2] / "notebooks" / "site" / "howto" / "own-page.md"
     assert all(f"`{kind}`" in guide.read_text("utf-8") for kind in KINDS)
+
+
+PLAIN = r"""# 3 Second page
+
+Ein Wagen.
+
+Multiply the energy by $2$:
+
+$$2E = m\dot x^2 + kx^2$$
+"""
+
+
+@pytest.mark.parametrize("alone", [False, True])
+def test_a_page_without_claims_is_in_the_lecture(spring, alone, tmp_path, capsys):
+    cart = spring / "cart.md"
+    if alone:
+        head = SPRING.partition("## Nothing is lost")[0]
+        cart.write_text(head, "utf-8")
+    (spring / "second.md").write_text(PLAIN, "utf-8")
+    wanted = ["--slides", "--fragment", "--format", "myst", "--no-live"]
+    assert main(["lecture", str(spring), "-o", str(tmp_path / "out"), *wanted]) == 0
+    counts = "no claims" if alone else "2 claims"
+    assert counts in capsys.readouterr().out
+    files = "lecture.html", "lecture.tex", "slides.html", "chapters/3.tex", "myst/section-3.md"
+    for name in files:
+        written = (tmp_path / "out" / name).read_text("utf-8")
+        assert "Second page" in written
+        assert "Ein Wagen." in written
+    assert "Hooke 1678" in (tmp_path / "out" / "lecture.html").read_text("utf-8")
+    assert main(["lecture", str(spring), "-o", str(tmp_path / "out"), "--record"]) == 0
+    assert "Ein Wagen." in (tmp_path / "out" / "record.html").read_text("utf-8")
