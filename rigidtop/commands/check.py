@@ -163,7 +163,9 @@ def _run(
     colors = VERDICT_COLORS if wants_color(sys.stdout) else None
     columns = ("reference", "name", "verdict", "note")
     rows = [[str(each[column]) for column in columns] for each in records]
-    print(table(rows, ("section", "claim", "verdict", "note"), colors=colors))
+    if rows:
+        print(table(rows, ("section", "claim", "verdict", "note"), colors=colors))
+        print()
     measured = measures(judgements)
     if measured:
         numbers = [
@@ -175,9 +177,8 @@ def _run(
             ]
             for m in measured
         ]
-        print()
         print(table(numbers, ("error", "tolerance", "", "compared with a computed motion")))
-    print()
+        print()
     counts = [_counts([*trials.values()])] if trials else []
     told = [true_in_worlds(lecture)] if lecture is not None and not names else []
     besides = f"{more} more told above" if more else ""

@@ -84,10 +84,14 @@ Block = Prose | Heading | Shown | Box | BoxEnd
 
 @dataclass(frozen=True)
 class Fault:
-    """What is wrong with a page besides its displays; `at` is the line of its file."""
+    """What is wrong with a page besides its displays; `at` is the line of its file.
+
+    What `stops` has to be mended before anything is made of the page, such as a unit that is none.
+    """
 
     at: int
     problem: str
+    stops: bool = False
 
 
 @dataclass(frozen=True)
@@ -120,6 +124,12 @@ class Text:
 
 _NUMBER = re.compile(r"\((\d+(?:\.\d+)+[a-z]?)\)")
 """How running text cites a numbered equation."""
+
+_SOURCE = re.compile(
+    r"[Dd]efin|\bGiven\b|\b(?:[Ee]quations?|[Ss]ections?) \(?\d|\(\d+\.\d"
+    r"|\b[A-Z]\w+(?:['’]s\b|,? \(?\d{4}\b)|(?<=[\w,;(] )[A-Z]\w+|(?<=\()[A-Z]\w+"
+)
+"""What a source names: a definition, an equation, a section, or whose it is."""
 
 OTHERS = 12
 """So many other lines are tried in the place of a cited one."""
@@ -334,7 +344,12 @@ class Lecture:
                 for number in dict.fromkeys(_NUMBER.findall(block.words))
                 if number not in numbers
             ]
-            for fault in sorted((*text.faults, *unknown), key=lambda fault: fault.at):
+            unfounded = [
+                Fault(line.at, f"{line.called!r} has no source: say in front of it whose law it is")
+                for line in text.lines
+                if line.move is None and line.source and not _SOURCE.search(line.source)
+            ]
+            for fault in sorted((*text.faults, *unknown, *unfounded), key=lambda fault: fault.at):
                 yield text.file, fault.at, fault.problem
 
     def trial(self, id: str, every: int = 1) -> Trial:
