@@ -373,14 +373,19 @@ class Lecture:
 
 
 def _defined(letters: Letters, texts: Iterable[Text], file: str) -> Letters:
-    """With what definitions say of their letters, their units too, and the laws of one page."""
+    """With what definitions say of their letters, their units too.
+
+    Of one page it has the laws, and the letters that are solved for.
+    """
     defined: dict[Symbol, frozenset[Symbol]] = {}
     means: dict[Symbol, Expr] = {}
+    solved: dict[Symbol, set[Expr]] = {}
     relations: list[Expr] = []
     for line in (line for text in texts for line in text.lines):
         is_named = line.move is not None and line.move.verb == "call"
         is_law = line.move is None and line.file == file and line.scope is Scope.IDENTITY
-        for equation in line.equations if is_named or is_law else ():
+        is_solved = line.move is not None and line.move.verb == "solve" and line.file == file
+        for equation in line.equations if is_named or is_law or is_solved else ():
             letter, *meant = equation.sides
             if is_named:
                 letters = units.defining(letters, equation)
@@ -391,11 +396,15 @@ def _defined(letters: Letters, texts: Iterable[Text], file: str) -> Letters:
             with suppress(NoMeaningError):
                 left, right = map(Algebra(letters).value, equation.sides)
                 if _is_plain(left) and _is_plain(right):
-                    if isinstance(letter, Symbol):
+                    if is_solved:
+                        solved.setdefault(letter, set()).add(right)
+                    elif isinstance(letter, Symbol):
                         means[letter] = right
                     else:
                         relations.append(left - right)
-    return replace(letters, defined=defined, means=means, relations=tuple(relations))
+    # A letter that is solved for twice is not one thing on its page.
+    one = {x: values.pop() for x, values in solved.items() if len(values) == 1}
+    return replace(letters, defined=defined, means=means, solved=one, relations=tuple(relations))
 
 
 def _is_plain(value: Value) -> bool:

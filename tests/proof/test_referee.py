@@ -439,6 +439,19 @@ FALLS = {
         r"Neglect $\cosh x$ in the sum, for large $x$ => y \approx x",
         "is no power of x",
     ),
+    "what a law makes as small": (
+        r"""sum: y = a + Sx
+        share: S = \frac bx""",
+        r"Neglect $a$ in the sum, for large $x$ => y \approx Sx",
+        "is not small beside",
+    ),
+    "what a solution makes as small": (
+        r"""sum: y = a + Sx
+        share: Sx^2 = bx""",
+        r"""Solve the share for $S$ => S = \frac bx
+        Neglect $a$ in the sum, for large $x$ => y \approx Sx""",
+        "is not small beside",
+    ),
     "what is large is set": (
         "line: y = a - bx",
         r"""Neglect $a$ in the line, for large $x$ => y \approx -bx
