@@ -126,7 +126,7 @@ def summary(
         wrong = gaps + amiss
         ends = "s" * ((gaps or lines) == 1)
         does = f"of {counted(lines, 'line')} {gaps} do{'es' * bool(ends)} not follow"
-        parts.append(does if gaps else f"{counted(lines, 'line')} follow{ends}")
+        parts += [does if gaps else f"{counted(lines, 'line')} follow{ends}"] if lines else []
         parts += [counted(amiss, "fault")] if amiss else []
     else:
         parts.append("lines were not judged")
