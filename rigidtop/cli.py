@@ -42,7 +42,9 @@ def _main(arguments: Sequence[str] | None) -> int:
         sys.stdout.flush()
         return int(code)
     except RigidtopError as error:
-        print(f"{asked}: {error}", file=sys.stderr)
+        from rigidtop.terminal.table import message
+
+        print(message(f"{asked}: {error}", sys.stderr), file=sys.stderr)
         return BAD_INPUT
     except BrokenPipeError:
         # The reader of our output has left, as `| head` does: nothing is wrong.

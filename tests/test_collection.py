@@ -265,8 +265,10 @@ def test_an_answer_is_marked_by_a_collection_of_ones_own(own, capsys):
     answer.write_text("$$m l^2\\ddot\\theta - mgl\\sin\\theta = 0$$\n", "utf-8")
     assert main(["mark", f"{own}/", str(answer), *ends]) == 1
     assert "line 1 does not follow: 0 of 1 lines" in capsys.readouterr().out
+    assert main(["new", "--page", str(own.parent / "markdown")]) == 0
     for words, said in (
         ([own], "is a collection, no answer: the answer stands behind it"),
+        ([own.parent / "markdown"], "is a collection, no answer: the answer stands behind it"),
         ([STARTER, answer], "no line of the lecture is called '1.5'"),
         ([answer, answer, answer], "one answer at a time: 3 names are too many"),
     ):
@@ -542,7 +544,7 @@ def test_what_is_started_passes(tmp_path, monkeypatch, capsys):
         ("from-energy", "assuming"),
     ]
     assert main(["lecture", "my_course/", "-o", "out"]) == 0
-    assert capsys.readouterr().out.endswith("1 exercise solved; every number confirmed\n")
+    assert capsys.readouterr().out.splitlines()[1] == "1 exercise solved; every number confirmed"
     assert "mass of the bob" in (tmp_path / "out" / "lecture.html").read_text("utf-8")
     for theta in ("1deg", "3"):
         assert main(["exercise", "my_course/", "period", "--set", f"theta={theta}"]) == 0

@@ -37,6 +37,7 @@ from typing import Any
 
 from sympy import Symbol
 
+from rigidtop.collection.faults import EMPTY, is_empty, with_faults
 from rigidtop.collection.folder import PageError as PageError
 from rigidtop.collection.folder import imported, in_one_line, module_name, said, watched
 from rigidtop.collection.kinds import (
@@ -55,12 +56,13 @@ from rigidtop.judge.page import refuted
 from rigidtop.notation import NOTES as NOTATION
 from rigidtop.notation import Notation, is_matrix
 from rigidtop.proof.exercise import Exercise, texts
-from rigidtop.proof.lecture import Lecture
+from rigidtop.proof.lecture import Fault, Lecture, Text
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.model import Model
 from rigidtop.proof.page import Claim, Page
 from rigidtop.read.library import Law, laws_of
 from rigidtop.read.page import read_beside, read_exercises, read_lecture
+from rigidtop.read.tables import rows
 from rigidtop.report.blocks import NOTES, Front
 from rigidtop.terminal.files import text_of
 from rigidtop.theory import symbols
@@ -103,11 +105,14 @@ class Collection:
     def lecture_with(self, exercises: Iterable[Exercise]) -> Lecture:
         """The text with the solutions of these exercises behind it, and what shows their claims.
 
-        Raises RigidtopError, with file and line, for displays that can't be read.
+        Raises RigidtopError, with file and line, for displays that can't be read, and for letters
+        of which nothing can be made.
         """
         lecture = self.as_written(exercises)
         home = self.folder or Path()
-        unread = [f"{home / file}, line {at}: {problem}" for file, at, problem in lecture.unread()]
+        stops = ((x.file, y.at, y.problem) for x in lecture.texts for y in x.faults if y.stops)
+        amiss = (*stops, *lecture.unread())
+        unread = [f"{home / file}, line {at}: {problem}" for file, at, problem in amiss]
         if unread:
             raise RigidtopError("\n".join(unread))
         return lecture
@@ -122,7 +127,11 @@ class Collection:
 
         A page with the name of one of its own stands in the place of that and of all behind it.
         """
-        return read_beside(str(path), text_of(path), self.lecture, self.notation)
+        from rigidtop.figures.catalog import FIGURES
+
+        source = text_of(path)
+        lecture = read_beside(str(path), source, self.lecture, self.notation)
+        return with_faults(lecture, [(path.stem, source)], [each.name for each in FIGURES])
 
     def solved_by(self, claims: Iterable[Claim]) -> tuple[Exercise, ...]:
         """The exercises that some of these claims solve: those of no page."""
@@ -207,6 +216,15 @@ def is_folder(word: str) -> bool:
     return is_one and not built_in().has(word)
 
 
+def is_collection(folder: Path) -> bool:
+    """Whether a folder has a module, or a page that declares letters: an answer declares none."""
+    if (folder / "__init__.py").is_file():
+        return True
+    pages = pages_of(folder) if folder.is_dir() else ()
+    texts = (text_of(folder / f"{name}.md") for *_, name in pages)
+    return any(True for text in texts for _ in rows(text))
+
+
 @contextmanager
 def opened(words: Sequence[str]) -> Iterator[tuple[Collection, list[str]]]:
     """The collection that the first word names, or else the built-in one, and the other words.
@@ -255,15 +273,16 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
             "such as '# 1 The pendulum'"
         )
     names = [page.text for page in by_hand if page.text] or [name for *_, name in written]
-    own = declared((f"{name}.md", text) for name, text in _sources(folder, names))
+    own = declared(_sources(folder, names))
     notation = _notation(folder, own.symbols)
     letters = letters_of(notation)
     numbers = letters.numbers - {*own.symbols} | own.numbers
     letters = replace(letters, numbers=numbers, frames=own.frames)
-    read = partial(_lecture, folder, names, notation, letters)
+    exercises = many(getattr(module, "EXERCISES", ()), Exercise, "EXERCISES")
+    figures = tuple(f"exercise-{each.name}" for each in exercises if each.figure)
+    read = partial(_lecture, folder, names, notation, letters, figures, own.faults)
     texts = {text.name: text for text in read(()).texts} if written else {}
     pages = by_hand or tuple(page_of(number, title, texts[name]) for number, title, name in written)
-    exercises = many(getattr(module, "EXERCISES", ()), Exercise, "EXERCISES")
     check_pages(pages)
     check_exercises(exercises, pages)
     check_names(pages, exercises)
@@ -318,12 +337,25 @@ def _lecture(
     names: Sequence[str],
     notation: Notation,
     letters: Letters,
+    figures: Sequence[str],
+    amiss: Sequence[tuple[str, Fault]],
     exercises: Sequence[str],
 ) -> Lecture:
-    """The texts of a folder, those of exercises last."""
-    read = read_lecture(_sources(folder, names), letters, notation, _library)
+    """The texts of a folder, those of exercises last, with what is `amiss` with their letters."""
+    sources = _sources(folder, names)
+    read = read_lecture(sources, letters, notation, _library)
     behind = [(name, text_of(folder / f"{name}.md")) for name in exercises]
-    return read_exercises(behind, replace(read, refuted=refuted), notation)
+    lecture = read_exercises(behind, replace(read, refuted=refuted), notation)
+    lecture = with_faults(lecture, [*sources, *behind], figures, amiss)
+    return replace(lecture, texts=(*lecture.texts, *_empty(folder, lecture)))
+
+
+def _empty(folder: Path, lecture: Lecture) -> Iterator[Text]:
+    """The files of a folder in which a page was begun, and nothing stands but headings."""
+    names = {text.name for text in lecture.texts}
+    for path in sorted(folder.glob("*.md")):
+        if path.stem not in names and is_empty(text_of(path)):
+            yield Text(path.name, path.stem, (), (Fault(1, EMPTY),))
 
 
 def letters_of(notation: Notation) -> Letters:
@@ -372,7 +404,7 @@ def _notation(folder: Path, declared: Sequence[Lettered]) -> Notation:
     if any(value is symbols for value in values):  # from rigidtop.theory import symbols
         used |= {*NOTATION.glyphs}
     own = sorted((x for x in used if isinstance(x, Lettered)), key=lambda x: (x.place, x.name))
-    check_letters(own)
+    check_letters([x for x in own if x not in declared])  # these have their places in a page
     glyphs = {x: x.quantity.glyph for x in own}
     taken = {*glyphs.values()}
     theirs = {x: g for x, g in NOTATION.glyphs.items() if x in used and g not in taken}

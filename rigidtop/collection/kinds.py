@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from types import ModuleType
 from typing import Any
 
@@ -100,17 +100,16 @@ def check_names(pages: Sequence[Page], exercises: Sequence[Exercise]) -> None:
 
 def check_letters(letters: Sequence[Lettered]) -> None:
     """RigidtopError for units that are none, which no line could be held to, and strange glyphs."""
-    wrong = []
-    for letter in letters:
-        unit, glyph = letter.quantity.unit, letter.quantity.glyph
-        if unit and units.parsed(unit) is None:
-            wrong.append(
-                f"the unit {unit!r} of {letter.name} is not known: write it in {units.known()}"
-            )
-        if not can_be_set(glyph):
-            shown = repr(glyph.base + glyph.sub)
-            wrong.append(
-                f"no document can set {shown}, the letter of {letter.name}: take Latin or Greek"
-            )
+    wrong = [problem for letter in letters for problem in problems(letter)]
     if wrong:
         raise RigidtopError("\n".join(wrong))
+
+
+def problems(letter: Lettered) -> Iterator[str]:
+    """What is wrong with a letter: a unit that is none, a glyph that no document can set."""
+    unit, glyph = letter.quantity.unit, letter.quantity.glyph
+    if unit and units.parsed(unit) is None:
+        yield f"the unit {unit!r} of {letter.name} is not known: write it in {units.known()}"
+    if not can_be_set(glyph):
+        shown = repr(glyph.base + glyph.sub)
+        yield f"no document can set {shown}, the letter of {letter.name}: take Latin or Greek"

@@ -21,8 +21,12 @@ from pathlib import Path
 
 from sympy import Symbol
 
+from rigidtop.collection.faults import strange
+from rigidtop.collection.kinds import problems
 from rigidtop.errors import RigidtopError
-from rigidtop.proof.lecture import Heading, Prose, Shown, Text
+from rigidtop.notation.characters import unwritable
+from rigidtop.proof import units
+from rigidtop.proof.lecture import Fault, Heading, Prose, Shown, Text
 from rigidtop.proof.page import Claim, Page
 from rigidtop.proof.words import bold
 from rigidtop.read.statements import statements
@@ -131,42 +135,55 @@ def table_of(symbols: Sequence[Lettered]) -> str:
 
 @dataclass(frozen=True)
 class Declared:
-    """The letters that pages declare; `numbers` are those that do not change in time."""
+    """The letters that pages declare; `numbers` are those that do not change in time.
+
+    The `faults` of their tables have the names of the pages.
+    """
 
     symbols: tuple[Lettered, ...] = ()
     numbers: frozenset[Symbol] = frozenset()
     frames: tuple[tuple[Symbol, Symbol, Symbol], ...] = ()
+    faults: tuple[tuple[str, Fault], ...] = ()
 
 
 def declared(sources: Iterable[tuple[str, str]]) -> Declared:
-    """The letters of some pages, (file, text), in the order in which they are declared.
+    """The letters of some pages, (name, text), in the order in which they are declared.
 
-    Raises RigidtopError, with file and line, for a row that declares none, and for a letter that is
-    declared twice and not alike.
+    Faults are a row that declares none, a letter that is declared twice and not alike, a unit that
+    is not known, and what no document can set.
     """
     made: dict[Glyph, tuple[Lettered, str]] = {}
-    wrong = []
-    for file, text in sources:
+    faults: list[tuple[str, Fault]] = []
+    for name, text in sources:
         for row in rows(text):
             try:
-                for symbol, kind in _row(row):
-                    glyph = symbol.quantity.glyph
-                    if glyph in made and made[glyph][0].quantity != symbol.quantity:
-                        raise RigidtopError(
-                            f"{row.cells[0]} is {made[glyph][0].quantity.meaning!r} already: a "
-                            "letter means one thing in all pages"
-                        )
-                    made.setdefault(glyph, (symbol, kind))
+                letters = [*_row(row)]
             except RigidtopError as error:
-                wrong.append(f"{file}, line {row.line}: {error}")
-    if wrong:
-        raise RigidtopError("\n".join(wrong))
+                faults.append((name, Fault(row.line, str(error), True)))
+                continue
+            own = [x for x, _ in letters if x.quantity.glyph.accent not in ("dot", "ddot")]
+            wrong = [problem for symbol in own for problem in problems(symbol)]
+            wrong += map(strange, unwritable(" ".join(row.cells[1:])))
+            faults += [(name, Fault(row.line, problem, True)) for problem in wrong]
+            for symbol, kind in letters:
+                quantity = symbol.quantity
+                if units.parsed(quantity.unit or "1") is None:  # so that its lines are read
+                    quantity = replace(quantity, unit="")
+                    symbol = Lettered(symbol.name, quantity, **symbol.assumptions0)
+                other, _ = made.setdefault(quantity.glyph, (symbol, kind))
+                if other.quantity != quantity:
+                    problem = (
+                        f"{row.cells[0]} is {other.quantity.meaning!r} already: a letter means one "
+                        "thing in all pages"
+                    )
+                    faults.append((name, Fault(row.line, problem, True)))
+                    break
     symbols = in_order(*(symbol for symbol, _ in made.values()))
     kinds = [kind for _, kind in made.values()]
     fixed = (x for x, kind in zip(symbols, kinds, strict=True) if kind in _FIXED)
     axes = [x for x, kind in zip(symbols, kinds, strict=True) if kind.endswith("frame")]
     frames = zip(axes[::3], axes[1::3], axes[2::3], strict=True)
-    return Declared(symbols, frozenset(fixed), tuple(frames))
+    return Declared(symbols, frozenset(fixed), tuple(frames), tuple(faults))
 
 
 _FIXED = ("positive", "number", "fixed frame")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections import Counter
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -141,9 +141,11 @@ def _run(
     denied, confirmation = confirmed(vanishing) if options.thorough else ([], [])
     trials = tried(lecture, names) if lecture is not None and options.thorough else {}
     amiss = [line for place, trial in trials.items() for line in _amiss(place, trial)] + denied
+    more = len(amiss)
+    ids = None
     if lecture is not None:
         ids = lecture.leading(claim.name for _, claim in found) if names else None
-        amiss = [*faults(lecture, ids), *amiss]
+        amiss = [*claims.faults(lecture), *claims.gaps(lecture, ids), *amiss]
     model: list[str] = []
     if lecture is not None and (collection.models or collection.folder is None):
         model = in_models(
@@ -152,6 +154,7 @@ def _run(
             [claim.name for _, claim in found] if names or not every else [],
         )
         amiss += model[:-1]
+        more += len(model[:-1])
     passed = all(judgement.passed for judgement in judgements) and not amiss
     records = [record(Wording(notation).judgement(judgement)) for judgement in judgements]
     if options.json:
@@ -160,7 +163,9 @@ def _run(
     colors = VERDICT_COLORS if wants_color(sys.stdout) else None
     columns = ("reference", "name", "verdict", "note")
     rows = [[str(each[column]) for column in columns] for each in records]
-    print(table(rows, ("section", "claim", "verdict", "note"), colors=colors))
+    if rows:
+        print(table(rows, ("section", "claim", "verdict", "note"), colors=colors))
+        print()
     measured = measures(judgements)
     if measured:
         numbers = [
@@ -172,23 +177,15 @@ def _run(
             ]
             for m in measured
         ]
-        print()
         print(table(numbers, ("error", "tolerance", "", "compared with a computed motion")))
-    print()
+        print()
     counts = [_counts([*trials.values()])] if trials else []
     told = [true_in_worlds(lecture)] if lecture is not None and not names else []
-    for line in (*amiss, *counts, *confirmation, *told, *model[-1:], claims.summary(judgements)):
+    besides = f"{more} more told above" if more else ""
+    summary = claims.summary(judgements, lecture, ids, besides)
+    for line in (*amiss, *counts, *confirmation, *told, *model[-1:], summary):
         print(paragraph(line))
     return 0 if passed else claims.FAILED
-
-
-def faults(lecture: Lecture, ids: Collection[str] | None = None) -> list[str]:
-    """What is wrong with the pages, and which of these lines, or of all, do not follow."""
-    from rigidtop.report.ways import gap
-
-    wrong = [*lecture.unread(), *lecture.faults()]
-    said = [f"{file}, line {at}: {problem}" for file, at, problem in wrong]
-    return [*said, *(gap(each, lecture.letters) for each in lecture.gaps(ids))]
 
 
 def true_in_worlds(lecture: Lecture) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.terminal.progress import over
 
 if TYPE_CHECKING:
-    from rigidtop.collection import Collection
+    from rigidtop import collection as collections
     from rigidtop.proof.lecture import Lecture
     from rigidtop.proof.letters import Letters
     from rigidtop.proof.page import Claim, Page
@@ -28,12 +28,12 @@ _SECTION = re.compile(r"\d+(\.\d+\.\d+(\.\d+)*)?")
 """What can be a section's number alone, unlike 3.5, which could be an equation's."""
 
 
-def every(collection: Collection) -> list[tuple[Page, Claim]]:
+def every(collection: collections.Collection) -> list[tuple[Page, Claim]]:
     """The claims of the lecture in reading order, each with its page."""
     return [(page, claim) for page in collection.pages for claim in page.claims]
 
 
-def named(collection: Collection, names: Sequence[str]) -> list[tuple[Page, Claim]]:
+def named(collection: collections.Collection, names: Sequence[str]) -> list[tuple[Page, Claim]]:
     """The claims of these names and sections, in reading order; (3.57) is 3.57."""
     claims = every(collection)
     known = {claim.name for _, claim in claims}
@@ -50,7 +50,7 @@ def named(collection: Collection, names: Sequence[str]) -> list[tuple[Page, Clai
     return [(page, claim) for page, claim in claims if claim.name in wanted]
 
 
-def _unknown(collection: Collection, name: str, known: Iterable[str]) -> str:
+def _unknown(collection: collections.Collection, name: str, known: Iterable[str]) -> str:
     """What is said of a name that no claim has: what may be meant, or where names are found."""
     from difflib import get_close_matches
 
@@ -71,7 +71,7 @@ def _unknown(collection: Collection, name: str, known: Iterable[str]) -> str:
     return f"{listing}those of the lecture, `{collection.command('exercise')} NAME` an exercise's"
 
 
-def _elsewhere(collection: Collection) -> dict[str, str]:
+def _elsewhere(collection: collections.Collection) -> dict[str, str]:
     """Names of what is no claim, with the commands that ask for it."""
     found = {e.name: f"`{collection.command('exercise')} {e.name}`" for e in collection.exercises}
     if collection.folder is None:
@@ -91,14 +91,53 @@ def judged(
         yield page, judge(claim, page.section, lecture, letters, written=bool(page.text))
 
 
-def summary(judgements: Sequence[Judgement]) -> str:
-    """Counts of the verdicts, and what did not pass."""
+def faults(lecture: Lecture) -> list[str]:
+    """What is wrong with the pages besides lines that do not follow, each with file and line."""
+    wrong = [*lecture.unread(), *lecture.faults()]
+    return [f"{file}, line {at}: {problem}" for file, at, problem in wrong]
+
+
+def gaps(lecture: Lecture, ids: Collection[str] | None = None) -> list[str]:
+    """Which of these lines, or of all, do not follow, each with file and line and the reason."""
+    from rigidtop.report.ways import gap
+
+    return [gap(each, lecture.letters) for each in lecture.gaps(ids)]
+
+
+def summary(
+    judgements: Sequence[Judgement],
+    lecture: Lecture | None,
+    ids: Collection[str] | None = None,
+    more: str = "",
+) -> str:
+    """Counts of the verdicts and of these lines, or of all, and what did not pass.
+
+    What is amiss besides is said by `more`.
+    """
     from rigidtop.proof.verdict import Verdict
 
     counts = [(verdict.value, sum(j.verdict is verdict for j in judgements)) for verdict in Verdict]
     shown = ", ".join(f"{count} {name}" for name, count in counts if count)
-    failed = [j.claim.name for j in judgements if not j.passed]
-    last = (
-        f"NOT PASSED: {', '.join(failed)}" if failed else "nothing failed that the notes get right"
-    )
-    return f"{len(judgements)} claim{'s' * (len(judgements) != 1)}: {shown}; {last}"
+    parts = [f"{counted(len(judgements), 'claim')}: {shown}" if judgements else "no claims"]
+    wrong = 0
+    if lecture is not None:
+        lines, gaps = len(lecture.lines if ids is None else ids), len(lecture.gaps(ids))
+        amiss = len(faults(lecture))
+        wrong = gaps + amiss
+        ends = "s" * ((gaps or lines) == 1)
+        does = f"of {counted(lines, 'line')} {gaps} do{'es' * bool(ends)} not follow"
+        parts += [does if gaps else f"{counted(lines, 'line')} follow{ends}"] if lines else []
+        parts += [counted(amiss, "fault")] if amiss else []
+    else:
+        parts.append("lines were not judged")
+    parts += [more] if more else []
+    if failed := [j.claim.name for j in judgements if not j.passed]:
+        parts.append(f"NOT PASSED: {', '.join(failed)}")
+    else:
+        parts.append("NOT PASSED" if wrong or more else "nothing failed that the notes get right")
+    return "; ".join(parts)
+
+
+def counted(count: int, what: str) -> str:
+    """How many there are of what: 1 line, 2 lines."""
+    return f"{count} {what}{'s' * (count != 1)}"

@@ -18,8 +18,6 @@ from rigidtop.terminal.progress import over
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
-    from rigidtop.proof.page import Page
-    from rigidtop.proof.verdict import Judgement
 
 ABOUT = "write the lecture as LaTeX and HTML, with figures and exercises"
 
@@ -116,7 +114,6 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     from rigidtop.figures.catalog import FIGURES
     from rigidtop.report.lecture import Edition, Wanted, write_lecture
     from rigidtop.report.solutions import solved
-    from rigidtop.report.ways import gap
     from rigidtop.terminal.files import check_folder
     from rigidtop.terminal.table import paragraph
     from rigidtop.web.player import player
@@ -130,13 +127,11 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     front, points = front_of(options, collection.front), points_of(options)
     check_folder(options.output)  # before half a minute of work, not after it
     lines = collection.lecture_with(collection.exercises)
-    judged: list[tuple[Page, list[Judgement]]] = []
     every = claims.every(collection)
-    for page, judgement in claims.judged(every, collection.letters, lines):
-        if not judged or judged[-1][0] is not page:
-            judged.append((page, []))
-        judged[-1][1].append(judgement)
-    judgements = [judgement for _, section in judged for judgement in section]
+    told = [*claims.judged(every, collection.letters, lines)]
+    judgements = [judgement for _, judgement in told]
+    # A page without claims is read like any other.
+    judged = [(page, [j for home, j in told if home is page]) for page in collection.pages]
     known = {judgement.claim.name: judgement for judgement in judgements}
     solutions = [
         solved(each, judged=known, lines=lines) for each in over("solving", collection.exercises)
@@ -166,16 +161,16 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         options.record,
     )
     unsolved = [solution.exercise.name for solution in solutions if not solution.passed]
-    gaps = lines.gaps()
-    passed = all(judgement.passed for judgement in judgements) and not (unsolved or gaps)
+    amiss = [*claims.faults(lines), *claims.gaps(lines)]
+    passed = all(judgement.passed for judgement in judgements) and not (unsolved or amiss)
     if options.json:
         print_json({"files": [str(file) for file in files], "passed": passed})
     else:
         print(paragraph(_listed(files, options.output)))
-        print(paragraph(claims.summary(judgements)))
         said = f"NOT CONFIRMED: {', '.join(unsolved)}" if unsolved else "every number confirmed"
-        solved_all = f"{len(solutions)} exercise{'s' * (len(solutions) != 1)} solved"
-        print(paragraph(f"{solved_all}; {said}"))
-        for each in gaps:
-            print(paragraph(gap(each, lines.letters)))
+        solved_all = f"{claims.counted(len(solutions), 'exercise')} solved; {said}"
+        missing = f"{claims.counted(len(unsolved), 'exercise')} not confirmed" if unsolved else ""
+        summary = claims.summary(judgements, lines, more=missing)
+        for each in (solved_all, *amiss, summary):
+            print(paragraph(each))
     return 0 if passed else claims.FAILED

@@ -93,6 +93,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Mark and print; 0 if every line follows and the derivation arrives."""
+    from rigidtop.collection import is_collection
+
     start = options.start if options.given is None else options.given
     both = options.start is not None and options.given is not None
     if both or (options.exercise is None) == (None in (start, options.goal)):
@@ -104,7 +106,7 @@ def run(options: argparse.Namespace) -> int:
     *folders, file = options.file
     if len(folders) > 1:
         raise RigidtopError(f"one answer at a time: {len(options.file)} names are too many")
-    if (Path(file) / "__init__.py").is_file():
+    if is_collection(Path(file)):
         raise RigidtopError(f"{file} is a collection, no answer: the answer stands behind it")
     subject = cache(partial(_subject, folders[0])) if folders else None
     if subject is not None:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Sequence
 from itertools import groupby
-from textwrap import fill
+from textwrap import fill, wrap
 from typing import Any, NoReturn
 
 from rigidtop.commands import (
@@ -30,6 +31,8 @@ from rigidtop.commands import (
     watch,
     web,
 )
+from rigidtop.terminal.table import columns
+from rigidtop.terminal.table import message as message_of
 
 COMMANDS = {
     "list": listing,
@@ -58,21 +61,45 @@ the exit code."""
 
 
 class Help(argparse.HelpFormatter):
-    """Paragraphs as wide as the terminal; what is indented stands as it is written."""
+    """Paragraphs as wide as the terminal; what is indented stands as it is written if it fits."""
 
     def _fill_text(self, text: str, width: int, indent: str) -> str:
         made: list[str] = []
         for indented, group in groupby(text.splitlines(), lambda line: line[:1] in ("", " ")):
             lines = list(group)
-            made += lines if indented else fill(" ".join(lines), width).splitlines()
+            if indented:
+                made += [part for line in lines for part in _example(line, width)]
+            else:
+                made += fill(" ".join(lines), width).splitlines()
         return "\n".join(indent + line for line in made)
+
+
+def _example(line: str, width: int) -> list[str]:
+    """A command in lines that a shell takes for one; a remark behind it has lines of its own."""
+    if columns(line) <= width:
+        return [line]
+    command, mark, remark = line.partition("  # ")
+    start = " " * (len(line) - len(line.lstrip()))
+    parts = wrap(
+        command.strip(),
+        width - 2,
+        initial_indent=start,
+        subsequent_indent=start + "    ",
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    shown = [*(f"{part} \\" for part in parts[:-1]), *parts[-1:]]
+    begun = f"{start}  # "
+    more = wrap(remark, width, initial_indent=begun, subsequent_indent=begun) if mark else []
+    return shown + more
 
 
 class Parser(argparse.ArgumentParser):
     """Errors in one line, without the usage."""
 
     def error(self, message: str) -> NoReturn:
-        self.exit(2, f"{self.prog}: {message} (see {self.prog} --help)\n")
+        said = f"{self.prog}: {message} (see {self.prog} --help)"
+        self.exit(2, message_of(said, sys.stderr) + "\n")
 
 
 def parsed(arguments: Sequence[str] | None = None) -> argparse.Namespace:

@@ -168,6 +168,25 @@ def escape(text: str) -> str:
     )
 
 
+def unwritable(text: str) -> tuple[str, ...]:
+    r"""The characters of a text that no document can write, in their order.
+
+    >>> unwritable("θ̈ = 3·10⁻⁴, naïve"), unwritable("a 🙂, 漢\u202e\x07")
+    ((), ('🙂', '漢', '\u202e', '\x07'))
+    """
+    unknown = []
+    for character in text:
+        try:
+            escape(character)
+        except ValueError:
+            known = character in LETTERS or character in MARKS
+        else:
+            known = not character.isascii() or character.isprintable() or character in "\n\t"
+        if not known:
+            unknown.append(character)
+    return tuple(dict.fromkeys(unknown))
+
+
 _KNOWN = "".join(c for c in MATHS if len(c) == 1 and c not in ESCAPES | PUNCTUATION)
 _ALONE = re.compile(
     f"(\\w[{''.join(MARKS)}]|[{''.join(SUBSCRIPTS)}]+|[{''.join(SUPERSCRIPTS)}]+"

@@ -64,7 +64,12 @@ def arrive(
     if move.verb == "integrate over":
         return _over(equations, move, letters, performed)
     algebra = Algebra(letters, performed.given)
-    gone = [e.sides[0] for e in move.by] if move.verb == "set" and move.power < 2 else []
+    given = performed.given
+    # What alone stands there may be the right side of what is set.
+    gone: list[Expr] = []
+    if move.verb == "set" and move.power < 2:
+        pairs = ((e.sides[0], e.sides[-1]) for e in move.by)
+        gone = [y if x not in given and y in given else x for x, y in pairs]
     if move.verb == "set" and move.power == 1:  # at all times: so are its rates
         gone += [rate for e in move.by for rate in _with_rates(e.sides[0], letters)[1:]]
     if performed.scope is Scope.SET:  # what was set to a number, here or above

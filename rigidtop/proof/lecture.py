@@ -84,10 +84,14 @@ Block = Prose | Heading | Shown | Box | BoxEnd
 
 @dataclass(frozen=True)
 class Fault:
-    """What is wrong with a page besides its displays; `at` is the line of its file."""
+    """What is wrong with a page besides its displays; `at` is the line of its file.
+
+    What `stops` has to be mended before anything is made of the page, such as a unit that is none.
+    """
 
     at: int
     problem: str
+    stops: bool = False
 
 
 @dataclass(frozen=True)
@@ -120,6 +124,12 @@ class Text:
 
 _NUMBER = re.compile(r"\((\d+(?:\.\d+)+[a-z]?)\)")
 """How running text cites a numbered equation."""
+
+_SOURCE = re.compile(
+    r"[Dd]efin|\bGiven\b|\b(?:[Ee]quations?|[Ss]ections?) \(?\d|\(\d+\.\d"
+    r"|\b[A-Z]\w+(?:['’]s\b|,? \(?\d{4}\b)|(?<=[\w,;(] )[A-Z]\w+|(?<=\()[A-Z]\w+"
+)
+"""What a source names: a definition, an equation, a section, or whose it is."""
 
 OTHERS = 12
 """So many other lines are tried in the place of a cited one."""
@@ -166,7 +176,7 @@ class Lecture:
             for shown in text.shown:
                 if shown.line is not None:
                     tags = {e.tag for e in shown.line.equations if e.tag}
-                    for name in {shown.name, *tags} - {""}:
+                    for name in sorted({shown.name, *tags} - {""}):
                         made.setdefault(name, []).append(shown.line.id)
         return {name: tuple(ids) for name, ids in made.items()}
 
@@ -210,21 +220,22 @@ class Lecture:
         Names are equations' numbers and claims' names, each at its last line, so that the order of
         reading is kept; a law goes by its id.
         """
-        named = {id: id for id in self.laws} | {ids[-1]: name for name, ids in self.names.items()}
+        named: dict[str, tuple[str, ...]] = {}  # a line may have a number and a name
+        for name, ids in self.names.items():
+            named[ids[-1]] = (*named.get(ids[-1], ()), name)
+        named = {id: (id,) for id in self.laws} | named
         of_name = {**{id: (id,) for id in self.laws}, **self.names}
         made: dict[str, tuple[str, ...]] = {}
-        for id in self.lines:
-            if id not in named:
-                continue
+        for name in (name for id in self.lines for name in named.get(id, ())):
             found: set[str] = set()
-            waiting = [cited for each in of_name[named[id]] for cited in self.cites(each)]
+            waiting = [cited for each in of_name[name] for cited in self.cites(each)]
             while waiting:
                 cited = waiting.pop()
                 if cited in named:
-                    found.add(named[cited])
+                    found.update(named[cited])
                 else:
                     waiting += self.cites(cited)
-            made[named[id]] = tuple(name for name in made if name in found)
+            made[name] = tuple(other for other in made if other in found)
         return made
 
     def resting(self, name: str) -> tuple[str, ...]:
@@ -333,7 +344,12 @@ class Lecture:
                 for number in dict.fromkeys(_NUMBER.findall(block.words))
                 if number not in numbers
             ]
-            for fault in sorted((*text.faults, *unknown), key=lambda fault: fault.at):
+            unfounded = [
+                Fault(line.at, f"{line.called!r} has no source: say in front of it whose law it is")
+                for line in text.lines
+                if line.move is None and line.source and not _SOURCE.search(line.source)
+            ]
+            for fault in sorted((*text.faults, *unknown, *unfounded), key=lambda fault: fault.at):
                 yield text.file, fault.at, fault.problem
 
     def trial(self, id: str, every: int = 1) -> Trial:
@@ -357,14 +373,19 @@ class Lecture:
 
 
 def _defined(letters: Letters, texts: Iterable[Text], file: str) -> Letters:
-    """With what definitions say of their letters, their units too, and the laws of one page."""
+    """With what definitions say of their letters, their units too.
+
+    Of one page it has the laws, and the letters that are solved for.
+    """
     defined: dict[Symbol, frozenset[Symbol]] = {}
     means: dict[Symbol, Expr] = {}
+    solved: dict[Symbol, set[Expr]] = {}
     relations: list[Expr] = []
     for line in (line for text in texts for line in text.lines):
         is_named = line.move is not None and line.move.verb == "call"
         is_law = line.move is None and line.file == file and line.scope is Scope.IDENTITY
-        for equation in line.equations if is_named or is_law else ():
+        is_solved = line.move is not None and line.move.verb == "solve" and line.file == file
+        for equation in line.equations if is_named or is_law or is_solved else ():
             letter, *meant = equation.sides
             if is_named:
                 letters = units.defining(letters, equation)
@@ -375,11 +396,15 @@ def _defined(letters: Letters, texts: Iterable[Text], file: str) -> Letters:
             with suppress(NoMeaningError):
                 left, right = map(Algebra(letters).value, equation.sides)
                 if _is_plain(left) and _is_plain(right):
-                    if isinstance(letter, Symbol):
+                    if is_solved:
+                        solved.setdefault(letter, set()).add(right)
+                    elif isinstance(letter, Symbol):
                         means[letter] = right
                     else:
                         relations.append(left - right)
-    return replace(letters, defined=defined, means=means, relations=tuple(relations))
+    # A letter that is solved for twice is not one thing on its page.
+    one = {x: values.pop() for x, values in solved.items() if len(values) == 1}
+    return replace(letters, defined=defined, means=means, solved=one, relations=tuple(relations))
 
 
 def _is_plain(value: Value) -> bool:

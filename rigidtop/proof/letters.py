@@ -32,7 +32,8 @@ class Letters:
     `exists` tells whether there is something with these numbers, as far as they are given: a body
     with these moments;
     `units` are SI; `defined` says what stands in the definition of a letter that has been read, and
-    `means` what a scalar is by its definition, or by a law; `relations` vanish by other laws.
+    `means` what a scalar is by its definition, or by a law; `solved` what one is for which a page
+    solves; `relations` vanish by other laws.
     """
 
     numbers: frozenset[Symbol] = frozenset()
@@ -55,6 +56,7 @@ class Letters:
     units: Mapping[Symbol, str] = field(default_factory=dict)
     defined: Mapping[Symbol, frozenset[Symbol]] = field(default_factory=dict)
     means: Mapping[Symbol, Expr] = field(default_factory=dict)
+    solved: Mapping[Symbol, Expr] = field(default_factory=dict)
     relations: tuple[Expr, ...] = ()
 
     @cached_property

@@ -219,9 +219,11 @@ def _overall(judgement: Judgement) -> Verdict:
     verdicts = [finding.verdict for finding in judgement.findings()]
     if any(isinstance(item, Definition) for item in judgement.items):
         verdicts.append(Verdict.DEFINITION)
+    led = [item for item in judgement.items if isinstance(item, Led)]
+    if any(x.gaps for x in led):  # what it rests on is open: only a counterexample stands
+        return Verdict.FALSE if Verdict.FALSE in verdicts else Verdict.UNDECIDED
     if not verdicts:  # what the lines lead to, from laws and definitions, is shown by them
-        led = [item for item in judgement.items if isinstance(item, Led)]
-        if not led or any(x.gaps for x in led):
+        if not led:
             return Verdict.UNDECIDED
         return Verdict.ASSUMING if any(x.assumptions for x in led) else Verdict.PROVED
     return max(verdicts, key=order.index)

@@ -149,6 +149,9 @@ _PLACES = re.compile("[\ue000\ue001]")
 
 # The lengths are limited where many may begin and none ends.
 _LEFT_OUT = re.compile(r"!\[[^][\n]*\]\([^)\n]{0,1000}\)|<span[^<>\n]*></span>")
+_BEGIN = re.compile(r"\\documentclass(?s:.*?)\\begin\{document\}")
+_END = re.compile(r"\\end\{document\}")
+"""Of a document in TeX what stands around its body is no text."""
 _COMMENT = re.compile(r"<!--.*?-->", re.S)
 _LINK = re.compile(r"\[([^][\n]*)\]\([^)\n]{0,1000}\)")
 _ITEM = re.compile(r"(?:[-*•]|\d+\.|\([ivx]+\)|- \([ivx]+\))\s+")
@@ -158,19 +161,22 @@ _HEADING = re.compile(r"(#{1,6})\s+(.*)")
 def _text(
     source: str, inside: dict[int, tuple[int, str]], framed: dict[int, tuple[int, str]]
 ) -> str:
-    """The text as blocks, with HTML in the places of formulas."""
+    """The text as blocks, with HTML in the places of formulas; of a whole document its body."""
     made: list[str] = []
     frames: set[int] = set()
-    woven, at = "", 0
+    begin = _BEGIN.search(source)
+    woven, at = "", begin.end() if begin else 0
+    finish = _END.search(source, at) if begin else None
+    last = finish.start() if finish else len(source)
     for start, (end, html) in sorted({**inside, **framed}.items()):
-        if start < at:
+        if not at <= start < last:
             continue
         if start in framed:
             frames.add(len(made))
         woven += _clean(source[at:start]) + f"{_OPEN}{len(made)}{_CLOSE}"
         made.append(html)
         at = end
-    woven += _clean(source[at:])
+    woven += _clean(source[at:last])
     woven = re.sub(f"{_CLOSE}[ \t]+(?=[,.;:)])", _CLOSE, woven)
     commented, mark, behind = woven.rpartition("-->")
     woven = _LEFT_OUT.sub("", _COMMENT.sub("", commented + mark) + behind)

@@ -102,7 +102,7 @@ def exercise_fragment(solution: Solution, notation: Notation = NOTES_NOTATION) -
     """An exercise with its solution as text."""
     told = blocks(solution_in(notation, solution), notation=notation)
     told[1:1] = notations.remark(notation, symbols_used(told))
-    return plain.fragment(told)
+    return plain.fragment(told, terminal_width())
 
 
 def claims_told(

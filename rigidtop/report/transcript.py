@@ -11,6 +11,7 @@ that is not known makes the whole formula one that is not set.
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from html import escape
@@ -81,6 +82,11 @@ _ACCENTS = {
 _BELOW = {r"\underbrace": "⏟", r"\underline": "_"}
 _WORDS = commands("text mbox hbox textrm textit textnormal")
 _FRACTIONS = commands("frac dfrac tfrac cfrac")
+_CHEMICAL = re.compile(
+    r"(?P<base>[A-Z][a-z]?|[)\]])_?(?P<below>\d*)(?:\^\{?(?P<above>\d*[+-])\}?)?"
+    r"|(?P<beside>[(\[]|\d+)|(?P<sign><=>|->|<-|[+=])|(?P<other>.)"
+)
+"""A part of a chemical formula with what stands below and above it."""
 _STYLES = {r"\mathcal": "SCRIPT", r"\mathscr": "SCRIPT", r"\mathbb": "DOUBLE-STRUCK"}
 _STYLES |= {r"\mathfrak": "FRAKTUR"}
 _DROPPED = commands("label vspace hspace phantom vphantom hphantom")
@@ -291,6 +297,27 @@ class _Transcript:
     def fraction(self, _: str) -> str:
         return f"<mfrac>{self.argument()}{self.argument()}</mfrac>"
 
+    def chosen(self, _: str) -> str:
+        over, under = self.argument(), self.argument()
+        return mathml.fenced(f'<mfrac linethickness="0">{over}{under}</mfrac>', "()", tall=True)
+
+    def formula(self, _: str) -> str:
+        """A chemical formula: letters upright, a number behind one below it, charges above."""
+        made = ""
+        for part in _CHEMICAL.finditer(_as_typed(self.group())):
+            if part["other"]:
+                raise UnreadError(f"{part['other']} is not known in a chemical formula", 0)
+            if part["sign"] or part["beside"]:
+                sign, tag = part["sign"], "mo" if part["sign"] else "mtext"
+                made += f"<{tag}>{_ARROWS.get(sign, sign or part['beside'])}</{tag}>"
+                continue
+            below, above = part["below"], (part["above"] or "").replace("-", "−")
+            marks = f"<mn>{below}</mn>" * bool(below) + f"<mtext>{above}</mtext>" * bool(above)
+            tag = f"m{'sub' * bool(below)}{'sup' * bool(above)}"
+            base = f"<mtext>{part['base']}</mtext>"
+            made += f"<{tag}>{base}{marks}</{tag}>" if marks else base
+        return _row(made)
+
     def root(self, _: str) -> str:
         if self.peek() != "[":
             return f"<msqrt>{self.argument()}</msqrt>"
@@ -353,6 +380,8 @@ class _Transcript:
 
     takes: Mapping[frozenset[str], Callable[[_Transcript, str], str]] = {
         _FRACTIONS: fraction,
+        commands("binom dbinom tbinom"): chosen,
+        commands("ce"): formula,
         commands("left"): fence,
         commands("sqrt"): root,
         frozenset(_ACCENTS): accented,
@@ -366,6 +395,14 @@ class _Transcript:
         commands("underset overset stackrel"): stacked,
         commands("begin"): environment,
     }
+
+
+_ARROWS = {"->": "→", "<-": "←", "<=>": "⇌"}
+
+
+def _as_typed(items: Sequence[Piece]) -> str:
+    """Pieces as they were typed, without spaces."""
+    return "".join(f"{{{_as_typed(x.group)}}}" if x.text == "{}" else x.text for x in items)
 
 
 def _closings(items: Sequence[Piece]) -> dict[int, int]:

@@ -117,6 +117,13 @@ def paragraph(text: str, first: str = "", rest: str = "") -> str:
     return "\n".join((rest if k else first) + line for k, line in enumerate(lines))
 
 
+def message(text: str, stream: TextIO) -> str:
+    """What a terminal shows in its width, line by line; elsewhere the text, for programs."""
+    if not stream.isatty():
+        return text
+    return "\n".join(paragraph(line, rest="  ") for line in text.split("\n"))
+
+
 def padded(text: str, room: int, right: bool = False) -> str:
     """The text with spaces, as wide as `room` columns."""
     space = " " * max(0, room - columns(text))
@@ -133,15 +140,16 @@ def table(
 ) -> str:
     """Rows in aligned columns; the last column is wrapped to what is left of `width`.
 
-    Columns that find no room stand in a table below, beside the first, which says what a row is.
-    `right` are the columns that are aligned to the right.  `colors` gives a colour name to the
-    cells that consist of a word; pass it only when `wants_color` says so.  `width` is that of the
-    terminal if it is not given.
+    So is the first where it leaves no room for another.  Columns that find no room stand in a table
+    below, beside the first, which says what a row is.  `right` are the columns that are aligned to
+    the right.  `colors` gives a colour name to the cells that consist of a word; pass it only when
+    `wants_color` says so.  `width` is that of the terminal if it is not given.
     """
     if not rows:
         return ""
     room = terminal_width() if width is None else width
-    every = [[*map(visible, row)] for row in ([head, *rows] if head else rows)]
+    whole = [[*map(visible, row)] for row in ([head, *rows] if head else rows)]
+    every = _narrowed(whole, room)
     return "\n\n".join(
         _table(
             [[row[i] for i in beside] for row in every],
@@ -152,6 +160,24 @@ def table(
         )
         for beside in _abreast(every, room)
     )
+
+
+def _narrowed(every: Sequence[list[str]], width: int) -> Sequence[list[str]]:
+    """The rows, the first column wrapped where the widest of the others finds no room beside it.
+
+    It leaves room for all others if a third of the width is left for itself.
+    """
+    first, *others = (max(map(columns, cells)) for cells in zip(*every, strict=True))
+    others[-1:] = [min(each, LEAST) for each in others[-1:]]  # the last one is wrapped
+    if not others or first + 2 + max(others) <= width:
+        return every
+    beside = sum(each + 2 for each in others)
+    room = width - (beside if 3 * (width - beside) >= width else 2 + max(others))
+    return [
+        [piece, *(row[1:] if k == 0 else [""] * len(others))]
+        for row in every
+        for k, piece in enumerate(wrapped(row[0], max(room, LEAST)))
+    ]
 
 
 def _abreast(every: Sequence[Sequence[str]], width: int) -> list[list[int]]:

@@ -31,31 +31,31 @@ TABLE = r"""# 1 A trial
 
 ## Laws
 
-A trial. Along the motion, the oscillation:
+Given. Along the motion, the oscillation:
 
 $$\frac{d^2u}{d\phi^2} = -u$$
 
-A trial. Along the motion, the slow one:
+Given. Along the motion, the slow one:
 
 $$\frac{d^2u}{d\phi^2} = -\alpha u + \frac{\dot x}{\dot\phi}$$
 
-A trial. The pair:
+Given. The pair:
 
 $$\begin{pmatrix}1 & \alpha\\ \alpha & 1\end{pmatrix}\begin{pmatrix}a_1\\ a_2\end{pmatrix} = 0$$
 
-A trial. The potential:
+Given. The potential:
 
 $$V = \tfrac12kr^2\left(1 - \cos\frac xr\right)$$
 
-A trial. The frequency:
+Given. The frequency:
 
 $$\omega^2 = \frac km$$
 
-A trial. The ratio:
+Given. The ratio:
 
 $$\varepsilon = \frac{m\omega^2}k$$
 
-A trial. The velocity:
+Given. The velocity:
 
 $$\mathbf w = \dot x\mathbf i + \dot y\mathbf j$$
 

@@ -1,13 +1,17 @@
 r"""A folder of Markdown alone is a collection: sections, claims and letters come from its pages."""
 
 import json
+from pathlib import Path
 
 import pytest
 
+from rigidtop import derivations
 from rigidtop.cli import main
 from rigidtop.collection import load
+from rigidtop.collection.faults import faults, places
 from rigidtop.collection.pages import KINDS, declared, table_of
 from rigidtop.errors import RigidtopError
+from rigidtop.figures.catalog import FIGURES
 from rigidtop.starter import letters
 from rigidtop.theory.lettered import Lettered
 
@@ -119,7 +123,7 @@ def test_a_row_that_declares_no_letter_is_told(spring, row, why):
     declared_so = SPRING.replace("| $m$ | mass of the cart | kg | positive |", row)
     (spring / "cart.md").write_text(declared_so, "utf-8")
     with pytest.raises(RigidtopError) as told:
-        load(spring)
+        load(spring).lecture_with(())
     assert why in str(told.value)
 
 
@@ -149,3 +153,134 @@ def test_the_kinds_are_those_of_the_guide():
 
     guide = Path(__file__).parents[2] / "notebooks" / "site" / "howto" / "own-page.md"
     assert all(f"`{kind}`" in guide.read_text("utf-8") for kind in KINDS)
+
+
+PLAIN = r"""# 3 Second page
+
+Ein Wagen.
+
+Multiply the energy by $2$:
+
+$$2E = m\dot x^2 + kx^2$$
+"""
+
+
+@pytest.mark.parametrize("alone", [False, True])
+def test_a_page_without_claims_is_in_the_lecture(spring, alone, tmp_path, capsys):
+    cart = spring / "cart.md"
+    if alone:
+        head = SPRING.partition("## Nothing is lost")[0]
+        cart.write_text(head, "utf-8")
+    (spring / "second.md").write_text(PLAIN, "utf-8")
+    wanted = ["--slides", "--fragment", "--format", "myst", "--no-live"]
+    assert main(["lecture", str(spring), "-o", str(tmp_path / "out"), *wanted]) == 0
+    counts = "no claims" if alone else "2 claims"
+    assert counts in capsys.readouterr().out
+    files = "lecture.html", "lecture.tex", "slides.html", "chapters/3.tex", "myst/section-3.md"
+    for name in files:
+        written = (tmp_path / "out" / name).read_text("utf-8")
+        assert "Second page" in written
+        assert "Ein Wagen." in written
+    assert "Hooke 1678" in (tmp_path / "out" / "lecture.html").read_text("utf-8")
+    assert main(["lecture", str(spring), "-o", str(tmp_path / "out"), "--record"]) == 0
+    assert "Ein Wagen." in (tmp_path / "out" / "record.html").read_text("utf-8")
+
+
+LAW = "## Laws\n\n{}A further law:\n\n$$E = \\tfrac12 m\\dot x^2$$\n"
+TABLE = "| letter | meaning | unit | kind |\n| - | - | - | - |\n| {} | {} | {} | positive |\n"
+FAULTS = {
+    "Frobnicate it:\n\n$$E = 0$$": "no move begins with 'Frobnicate'",
+    "See [there](#nowhere).": "nothing has the name #nowhere, to which a link leads",
+    "As [figure](#figure-nothing) shows.": "nothing has the name #figure-nothing",
+    "Words 🙂.": "no document can set '🙂' (U+1F642)",
+    "Turned \u202eround.": "no document can set '\\u202e' (U+202E)",
+    "A bell \x07.": "no document can set '\\x07' (U+0007)",
+    "## Heading ☃": "no document can set '☃' (U+2603)",
+    "Hooke 1678. The 漢 law:\n\n$$x = x_0$$": "no document can set '漢' (U+6F22)",
+    TABLE.format("$p$", "push", "pound"): "the unit 'pound' of p is not known: write it in kg",
+    TABLE.format("$ж$", "push", "N"): "no document can set 'ж', the letter of ж",
+    TABLE.format("$p$", "漢", "N"): "no document can set '漢' (U+6F22)",
+    TABLE.format("p", "push", "N"): "p is no letter between dollars",
+    TABLE.format("$m$", "push", "N"): "$m$ is 'mass of the cart' already",
+    LAW.format("It is a nice day. "): "'A further law' has no source: say in front of it whose",
+}
+
+
+def check(folder, capsys):
+    code = main(["check", f"{folder}/"])
+    return code, " ".join(capsys.readouterr().out.split())
+
+
+@pytest.mark.parametrize("text", FAULTS)
+def test_a_fault_is_told_with_its_place(spring, text, capsys):
+    source = f"{SPRING}\n{text}\n"
+    (spring / "cart.md").write_text(source, "utf-8")
+    told = FAULTS[text]
+    at = SPRING.count("\n") + 2
+    last = 2 * text.startswith(("| letter", "## Laws", "Frob"))
+    code, out = check(spring, capsys)
+    assert code == 1
+    assert f"cart.md, line {at + last}: {told}" in out
+    assert out.endswith("NOT PASSED")
+
+
+def test_all_faults_are_told_in_one_run(spring, capsys):
+    (spring / "cart.md").write_text("\n\n".join([SPRING, *FAULTS]), "utf-8")
+    code, out = check(spring, capsys)
+    assert code == 1
+    assert [told for told in FAULTS.values() if told not in out] == []
+    assert main(["derive", f"{spring}/", "2.1"]) == 2  # with letters of which nothing is known
+    assert "cart.md, line 62: the unit 'pound' of p" in capsys.readouterr().err
+
+
+def test_what_is_there_is_no_fault(spring, capsys):
+    links = "[This](#kept), [that](#nothing-is-lost), [more](cart.md#2-the-spring)."
+    fair = [links, "Naïve “x” — 3·10⁻⁴.", *(LAW.format(f"{whose} ") for whose in SOURCES)]
+    (spring / "cart.md").write_text("\n\n".join([SPRING, *fair]), "utf-8")
+    code, out = check(spring, capsys)
+    assert code == 0, out
+
+
+SOURCES = (
+    "Definition.",
+    "Given.",
+    "Lagrange 1788.",
+    "Coulomb's law: against the slip.",
+    "Equation (1.2), for a cart.",
+    "A well-known result (Landau and Lifshitz, section 32).",
+    "Per mass it has half of that, by Steiner's theorem.",
+)
+
+
+HEADINGS = ("", "# Only a title\n", "# 3 A section\n", "## Deeper\n\n### Still\n")
+
+
+@pytest.mark.parametrize("text", HEADINGS)
+def test_an_empty_page_among_others_is_told(spring, text, capsys):
+    (spring / "README.md").write_text("About this folder.\n", "utf-8")
+    assert check(spring, capsys)[0] == 0
+    (spring / "other.md").write_text(text, "utf-8")
+    code, out = check(spring, capsys)
+    assert code == 1
+    assert "other.md, line 1: the page is empty: it has neither words nor displays" in out
+    assert main(["check", f"{spring}/", "--lines", "--json"]) == 1
+    capsys.readouterr()
+
+
+def test_a_page_beside_the_lecture_has_faults_too(tmp_path, capsys):
+    page = tmp_path / "mine.md"
+    links = "[Here](#mine), [there](#nowhere), [the figure](#figure-cones)."
+    page.write_text(f"# Mine\n\n{links}\n", "utf-8")
+    assert main(["check", str(page), "--json"]) == 1
+    rows = json.loads(capsys.readouterr().out)
+    assert [(row["line"], row["note"]) for row in rows] == [
+        (3, "nothing has the name #nowhere, to which a link leads")
+    ]
+
+
+def test_the_pages_that_come_with_rigidtop_have_none():
+    root = Path(derivations.__file__).parent
+    names = [f"figure-{each.name}" for each in FIGURES]
+    for page in root.rglob("*.md"):
+        source = page.read_text("utf-8")
+        assert [*faults(source, [*names, *places(source)])] == [], page

@@ -44,10 +44,10 @@ def test_a_line_that_no_claim_needs_is_judged(course, capsys):
     add(course, WRONG_REMARK)
     capsys.readouterr()
     assert main(["check", f"{course}/"]) == 1
-    out = capsys.readouterr().out
+    out = " ".join(capsys.readouterr().out.split())
     assert "pendulum.md, line" in out
     assert "does not follow" in out
-    assert "nothing failed that the notes get right" in out  # of the claims none rests on it
+    assert out.endswith("2 claims: 1 proved, 1 assuming; of 16 lines 1 does not follow; NOT PASSED")
 
 
 def test_each_line_says_what_becomes_of_it_in_worlds(course, capsys):
@@ -85,6 +85,42 @@ def test_a_claim_behind_a_numbered_gap_does_not_pass(course, capsys):
     assert "NOT PASSED: 1.1" in out
     assert main(["derive", f"{course}/", "1.1"]) == 1
     assert "does not follow" in capsys.readouterr().out
+
+
+def test_a_claim_with_a_gap_below_is_not_called_proved(course, tmp_path, capsys):
+    page = course / "pendulum.md"
+    text = page.read_text("utf-8")
+    page.write_text(text.replace("= -mgl\\sin\\theta$$", "= -2mgl\\sin\\theta$$", 1), "utf-8")
+    assert main(["check", f"{course}/", "--json"]) == 1
+    verdicts = {each["name"]: each["verdict"] for each in json.loads(capsys.readouterr().out)}
+    assert verdicts == {"1.1": "undecided", "from-energy": "assuming"}
+    counts = "2 claims: 1 assuming, 1 undecided; of 15 lines 2 do not follow;"
+    for words, besides in (
+        (["check", f"{course}/"], ""),
+        (["lecture", f"{course}/", "-o", str(tmp_path / "out")], "1 exercise not confirmed; "),
+    ):
+        assert main(words) == 1
+        last = " ".join(capsys.readouterr().out.split())
+        assert last.endswith(f"{counts} {besides}NOT PASSED: 1.1")
+
+
+def test_the_last_line_tells_of_faults_too(course, tmp_path, capsys):
+    assert main(["check", f"{course}/"]) == 0
+    last = "15 lines follow; nothing failed that the notes get right"
+    out = " ".join(capsys.readouterr().out.split())
+    assert out.endswith(f"2 claims: 1 proved, 1 assuming; {last}")
+    assert main(["check", f"{course}/", "1.1"]) == 0
+    last = "1 claim: 1 proved; 10 lines follow; nothing failed that the notes get right"
+    assert " ".join(capsys.readouterr().out.split()).endswith(last)
+    assert main(["check", f"{course}/", "--quick"]) == 0
+    last = "1 proved, 1 assuming; lines were not judged; nothing failed that the notes get right"
+    assert " ".join(capsys.readouterr().out.split()).endswith(last)
+    add(course, "It follows from (7.77) at once.")
+    for words in (["check", f"{course}/"], ["lecture", f"{course}/", "-o", str(tmp_path / "out")]):
+        assert main(words) == 1
+        out = " ".join(capsys.readouterr().out.split())
+        assert "no line has the number (7.77)" in out
+        assert out.endswith("15 lines follow; 1 fault; NOT PASSED")
 
 
 def test_a_page_by_itself_is_judged_in_the_letters_of_the_lecture(tmp_path, capsys):

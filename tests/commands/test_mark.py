@@ -43,7 +43,8 @@ def test_a_wrong_one(capsys, tmp_path):
 
 def test_a_folder_becomes_a_table_of_marks(capsys, tmp_path):
     right = RIGHT.read_text("utf-8")
-    (tmp_path / "ann.tex").write_text(right, "utf-8")
+    headed = f"# 1 Solution\n\n{right}"  # which makes no collection of it
+    (tmp_path / "ann.md").write_text(headed, "utf-8")
     wrong = right.replace(r"- (\lambda_3\omega_3)", r"+ (\lambda_3\omega_3)")
     (tmp_path / "=bob.tex").write_text(wrong, "utf-8")
     (tmp_path / "notes.txt").write_text("no answer")
@@ -52,7 +53,7 @@ def test_a_folder_becomes_a_table_of_marks(capsys, tmp_path):
     head, bob, ann = csv.reader(out.splitlines())
     assert head == ["file", "points", "of", "passed", "wrong line", "slips", "summary"]
     assert bob[:6] == ["'=bob.tex", "3", "4", "False", "6", "another sign before (λ₃ ω₃) Ω"]
-    assert (ann[0], ann[3], ann[4]) == ("ann.tex", "True", "")
+    assert (ann[0], ann[3], ann[4]) == ("ann.md", "True", "")
     assert ann[1] == ann[2]
     assert err == "2 answers; slips: another sign before (λ₃ ω₃) Ω (1)\n"
     (tmp_path / "none").mkdir()

@@ -1,5 +1,6 @@
 """What commands print is no wider than the terminal."""
 
+import sys
 from contextlib import suppress
 
 import pytest
@@ -15,6 +16,43 @@ $L = \frac12 m\dot x^2 - \frac12 kx^2$ gives
 and not $m\ddot x = kx$.
 \end{document}
 """
+
+
+EXAMPLES = ("simulate", "new", "mark", "audit")
+
+
+@pytest.mark.parametrize("command", EXAMPLES)
+def test_examples_keep_to_a_narrow_terminal(monkeypatch, capsys, command):
+    monkeypatch.setenv("COLUMNS", "60")
+    with suppress(SystemExit):
+        main([command, "--help"])
+    text = capsys.readouterr().out
+    shown = text[text.index("  rigidtop ") :]
+    assert [line for line in shown.splitlines() if columns(line) > 60] == []
+    joined = " ".join(shown.replace(" \\\n", " ").split())
+    assert " ".join(COMMANDS[command].EPILOG.partition("  rigidtop ")[2].split()) in joined
+
+
+@pytest.mark.parametrize("width", [60, 80])
+def test_what_is_refused_and_solved(monkeypatch, capsys, width):
+    monkeypatch.setenv("COLUMNS", str(width))
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)  # elsewhere an error is one line
+    for words in (
+        ["frobnicate"],
+        ["simulate", "top", "--omega3", "40", "--psi-dot", "2"],
+        ["derive", "3.35", "--format", "c"],
+    ):
+        with suppress(SystemExit):
+            main(words)
+        said = capsys.readouterr().err
+        said = said.removeprefix("\r\x1b[K")  # the progress that is taken away
+        assert said.startswith("rigidtop")
+        assert said.count("\n") > 1
+        assert [line for line in said.splitlines() if columns(line) > width] == []
+    assert main(["exercise", "fast-spin-roots"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert "Confirmed:" in lines
+    assert [line for line in lines if columns(line) > width] == []
 
 
 @pytest.fixture

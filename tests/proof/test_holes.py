@@ -44,7 +44,17 @@ def last(page: str) -> str:
     return str(lecture.judged(lecture.texts[1].lines[-1].id).problem or "")
 
 
+SET = r"""
+Set $\Omega = \Omega_{root}$ in the steady balance =>
+  0 = \lambda_1\cos\theta\,\Omega_{root}^2 - \lambda_3\omega_3\Omega_{root} + MgR
+Neglect $MgR$ in it, for large $\omega_3$ =>
+  0 \approx \lambda_1\cos\theta\,\Omega_{root}^2 - \lambda_3\omega_3\Omega_{root}
+"""
 REFUSED = {
+    "of the slow root the weight": (
+        "Solve the steady balance for $\\Omega$ =>" + MINUS_FIRST + SET.replace("{root}", "-"),
+        "for large omega3 M*R*g is not small beside -Omega_minus*lambda3*omega3, by what stands",
+    ),
     "what holds at a moment has no rate": (
         r"Take the rate of the slip => \dot{\mathbf v}_{tip} = \dot v\,\hat{\mathbf x}",
         "its rate does not follow",
@@ -111,6 +121,18 @@ Set $\dot\theta = 0$ in the balance =>
 }
 
 FOLLOWS = {
+    "of the fast root the weight": (
+        "Solve the steady balance for $\\Omega$ =>" + MINUS_FIRST + SET.replace("{root}", "+")
+    ),
+    "of a rate of which nothing is known": (
+        "Solve the steady balance for $\\Omega$ =>"
+        + MINUS_FIRST
+        + r"""
+Neglect $MgR$ in the steady balance, for large $\omega_3$ =>
+  0 \approx \lambda_1\cos\theta\,\Omega^2 - \lambda_3\omega_3\Omega
+"""
+    ),
+    "of the slow root, of which nothing is said": SET.replace("{root}", "-"),
     "the smaller one is neglected": r"""
 Neglect $MgR\sin\theta$ in the balance, for large $p_\psi$ =>
   \lambda_1\ddot\theta \approx -p_\psi\dot\phi\sin\theta
@@ -132,6 +154,12 @@ Solve it for $\Omega$ =>"""
 def test_what_does_not_follow_is_refused(name: str) -> None:
     page, reason = REFUSED[name]
     assert reason in last(page)
+
+
+def test_what_is_not_known_to_be_small_is_a_condition() -> None:
+    page = read(FOLLOWS["of a rate of which nothing is known"])
+    relations = [each.relation for each in page.judged("page:2").known.conditions]
+    assert relations == ["large", "≪"]
 
 
 @pytest.mark.parametrize("name", FOLLOWS)

@@ -105,6 +105,11 @@ FOLLOWS = {
         r"f = \mathbf n\cdot\mathbf p + a",
         "e − n = 0",
     ),
+    "one unit vector along another that alone stands there": (
+        r"torque: f = \mathbf n\cdot\mathbf p",
+        r"Set $\mathbf e = \mathbf n$ in the torque => f = \mathbf e\cdot\mathbf p",
+        "n − e = 0",
+    ),
     "differentiated by a letter that nothing ties": (
         r"""spring: \mathcal L = \tfrac12m\dot x^2 - \tfrac12kx^2
         equal springs: k = c""",
@@ -276,6 +281,11 @@ def test_a_right_line_follows_under_its_condition(kind: str) -> None:
 
 
 FALLS = {
+    "what is set stands on neither side": (
+        r"torque: f = \mathbf F\cdot\mathbf p",
+        r"Set $\mathbf e = \mathbf n$ in the torque => f = \mathbf F\cdot\mathbf p",
+        "does not stand in",
+    ),
     "what was set for vectors contradicts itself": (
         r"torque: f = \mathbf e\cdot\mathbf p",
         r"""Set $\mathbf e = \mathbf n$ in the torque => f = \mathbf n\cdot\mathbf p
@@ -438,6 +448,19 @@ FALLS = {
         r"sum: y = \cosh x + x",
         r"Neglect $\cosh x$ in the sum, for large $x$ => y \approx x",
         "is no power of x",
+    ),
+    "what a law makes as small": (
+        r"""sum: y = a + Sx
+        share: S = \frac bx""",
+        r"Neglect $a$ in the sum, for large $x$ => y \approx Sx",
+        "is not small beside",
+    ),
+    "what a solution makes as small": (
+        r"""sum: y = a + Sx
+        share: Sx^2 = bx""",
+        r"""Solve the share for $S$ => S = \frac bx
+        Neglect $a$ in the sum, for large $x$ => y \approx Sx""",
+        "is not small beside",
     ),
     "what is large is set": (
         "line: y = a - bx",

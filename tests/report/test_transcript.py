@@ -43,8 +43,43 @@ def test_lines_and_matrices_are_tables():
 
 
 @pytest.mark.parametrize(
+    ("source", "shown"),
+    [
+        (r"\binom{n}{k}", '<mfrac linethickness="0"><mi>n</mi><mi>k</mi></mfrac>'),
+        (r"\dbinom nk", '<mfrac linethickness="0"><mi>n</mi><mi>k</mi></mfrac>'),
+        (r"\ce{H2O}", "<msub><mtext>H</mtext><mn>2</mn></msub><mtext>O</mtext>"),
+        (r"\ce{Ca(OH)2}", "<mtext>H</mtext><msub><mtext>)</mtext><mn>2</mn></msub>"),
+        (r"\ce{SO4^{2-}}", "<msubsup><mtext>O</mtext><mn>4</mn><mtext>2−</mtext></msubsup>"),
+        (r"\ce{2H2 + O2 -> 2H2O}", "<mo>+</mo><msub><mtext>O</mtext><mn>2</mn></msub><mo>→</mo>"),
+    ],
+)
+def test_binomials_and_chemical_formulas(source, shown):
+    made = transcript(source, {})
+    assert shown in made
+    ElementTree.fromstring(made)
+
+
+def test_of_a_document_the_body_is_shown(tmp_path, capsys):
+    notes = tmp_path / "notes.tex"
+    body = r"Words with $\binom{n}{k}$ and $\ce{H2O}$."
+    notes.write_text(
+        "\\documentclass{article}\n\\usepackage{mhchem}\n\\newcommand{\\own}{$x$}\n"
+        f"\\begin{{document}}\n{body}\n\\end{{document}}\nafter\n",
+        "utf-8",
+    )
+    main(["audit", str(notes), "-o", str(tmp_path / "page.html")])
+    page = (tmp_path / "page.html").read_text("utf-8")
+    assert "Words with <math" in page
+    for word in ("documentclass", "usepackage", "newcommand", "{document}", "after</p>", "<code>"):
+        assert word not in page
+
+
+UNKNOWN = (r"\strange", r"\frac{a}", "x^2^3", r"\left(", r"\begin{matrix} a", "a\u202eb", "{", "")
+
+
+@pytest.mark.parametrize(
     "source",
-    [r"\strange", r"\frac{a}", "x^2^3", r"\left(", r"\begin{matrix} a", "a\u202eb", "{", ""],
+    [r"\ce{H\x}", r"\ce{?}", r"\binom{a}", *UNKNOWN],
 )
 def test_what_is_not_known_is_left_as_it_is(source):
     assert transcript(source, {}) == ""

@@ -18,7 +18,7 @@ def test_what_new_writes_passes_and_falls(tmp_path, monkeypatch, capsys):
     assert main(["new", "--system", "mine"]) == 0
     assert main(["check", "mine/"]) == 0
     said = capsys.readouterr().out
-    assert "4 claims: 4 proved; nothing failed" in said
+    assert "4 claims: 4 proved; 19 lines follow; nothing failed" in said
     page = tmp_path / "mine" / "spring.md"
     text = page.read_text("utf-8")
     for right, wrong in (

@@ -48,6 +48,20 @@ def test_what_finds_no_room_stands_below_beside_the_first():
     ]
 
 
+def test_a_first_column_that_leaves_no_room_is_wrapped():
+    rows = [("how fast the top must spin, searched", "4.9e-15", "1e-11"), ("one", "0", "1")]
+    assert table(rows, ("a second way", "error", "allowed"), width=40).splitlines() == [
+        *("a second way           error    allowed", "─" * 39),
+        *("how fast the top must  4.9e-15  1e-11", "spin, searched"),
+        "one                    0        1",
+    ]
+    narrow = table(rows, ("a second way", "error", "allowed"), width=24).splitlines()
+    assert max(map(columns, narrow)) <= 24
+    assert [line.split("  ")[0] for line in narrow[2:6]] == [
+        "how fast the", "top must spin,", "searched", "one",
+    ]  # fmt: skip
+
+
 def test_colour_changes_no_width():
     made = table(ROWS, width=60, colors={"proved": "green"})
     assert "\033[32mproved\033[0m    λ₁" in made

@@ -242,8 +242,35 @@ def _outweighed(
                 raise RefusedError("for {} {} it is no smaller than {}", where, letter, large)
             if not known and least(other) == largest:
                 share = small / large
+                if _stays(share, letter, move.power, letters):
+                    raise RefusedError(
+                        "for {} {} {} is not small beside {}, by what stands on this page",
+                        *(where, letter, small, large),
+                    )
                 conditions.append(Condition(-share if _is_negative(share) else share, "≪"))
     return conditions
+
+
+def _stays(share: Expr, letter: Symbol, sign: int, letters: Letters) -> bool:
+    """Whether a share does not vanish for a large letter, or a small one, by what others are.
+
+    They are what they are defined to be, or what the page solves for.
+    """
+    values = {x: v for x, v in {**letters.means, **letters.solved}.items() if x != letter}
+
+    def expanded(value: Expr) -> Expr:
+        for _ in values:  # of letters that are defined by each other there is no end
+            value, before = value.xreplace(values), value
+            if value == before:
+                break
+        return value
+
+    by = {x: v for x in share.free_symbols & {*values} if (v := expanded(values[x])).has(letter)}
+    if not by:
+        return False
+    whole = share.xreplace(by)
+    far, near = (_share(flattened(whole)[0], (letter,), -sign * n) for n in DEPTHS)
+    return not near < far / 2
 
 
 def _is_negative(term: Expr) -> bool:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from sympy import Expr, Integer, MatrixBase, Symbol
 
 from rigidtop.proof.algebra import Algebra
-from rigidtop.proof.equation import Rate
+from rigidtop.proof.equation import Equation, Rate
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves.move import (
     Condition,
@@ -35,8 +36,24 @@ from rigidtop.proof.values import TIME, Value, Vector, agree, atoms_of, tree, va
 def set_to(move: Move, algebra: Algebra) -> Performed:
     """Values for letters, at a moment; `power` 1: at all times, so that their rates vanish too.
 
-    `power` 2: at the start, in what is constant and keeps what it was.
+    `power` 2: at the start, in what is constant and keeps what it was.  That 𝐞 is 𝐧 says of an
+    equation with 𝐧 alone what it is with 𝐞.
     """
+    try:
+        return _set_to(move, algebra)
+    except _AbsentError:
+        if len(move.by) != 1 or not isinstance(move.by[0].sides[-1], Symbol) or move.power:
+            raise
+        [equation] = move.by
+        turned = Equation(*reversed(equation.sides), relation=equation.relation)
+        return _set_to(replace(move, by=(turned,)), algebra)
+
+
+class _AbsentError(RefusedError):
+    """What is set does not stand there."""
+
+
+def _set_to(move: Move, algebra: Algebra) -> Performed:
     known = the_one(move)
     given = _values(move, algebra)
     letters = algebra.letters
@@ -118,7 +135,7 @@ def _stand_there(move: Move, known: Known, given: Mapping[Expr, Value], algebra:
         rest = {x: value for x, value in given.items() if x not in own}
         put = Algebra(algebra.letters, rest)
         if all(agree(put.value(side), now) for side, now in zip(sides, made, strict=True)):
-            raise RefusedError("{} does not stand in {}", atom, name_of(known))
+            raise _AbsentError("{} does not stand in {}", atom, name_of(known))
 
 
 def _with_rates(atom: Expr, letters: Letters) -> set[Expr]:
