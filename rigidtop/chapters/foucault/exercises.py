@@ -70,9 +70,9 @@ def pantheon(length: float, A: float, latitude: float, g: float) -> Iterator[Out
     plane = EARTH * math.sin(latitude)
     frequency = math.sqrt(g / length)
     period = 2 * math.pi / math.sqrt(frequency**2 + plane**2)
-    yield Answer("period", "a swing to and fro", period, "s")
+    yield Answer("period", "time of a swing to and fro", period, "s")
     yield Answer("round", "time in which the plane comes round", 2 * math.pi / plane, "s")
-    yield Answer("beside", "beside the start", A * math.sin(plane * period), "m")
+    yield Answer("beside", "distance beside the start", A * math.sin(plane * period), "m")
     start = (A, 0.0, 0.0), (0.0, -A * plane, 0.0)
     swings = 40
     run = motion(*start, latitude, frequency=frequency).integrate([period, swings * period])

@@ -72,7 +72,7 @@ def seasons(epsilon: float) -> Iterator[Outcome]:
     eta = math.acos(epsilon)
     share = (eta - epsilon * math.sin(eta)) / math.pi
     yield Answer("share", "share of the part with the perihelion", share)
-    yield Answer("longer", "longer by", YEAR * (1 - 2 * share), "s")
+    yield Answer("longer", "time by which the other part is longer", YEAR * (1 - 2 * share), "s")
     whole = period(1.0, epsilon)
     phi = Symbol("phi", real=True)
     run = orbit(1.0, epsilon).integrate((0.0, whole / 2), until=phi - math.pi / 2)
