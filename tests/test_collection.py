@@ -275,7 +275,11 @@ def test_an_answer_is_marked_by_a_collection_of_ones_own(own, capsys):
         assert main(["mark", *map(str, words), *ends]) == 2
         assert said in capsys.readouterr().err
     assert main(["mark", str(own), str(answer), "--exercise", "period"]) == 2
-    assert "are not marked" in capsys.readouterr().err
+    assert "no exercise is called 'period'" in capsys.readouterr().err
+    assert main(["mark", str(STARTER), str(answer), "--exercise", "period"]) == 2
+    assert "but its numbers are, a line each: period = … s" in capsys.readouterr().err
+    answer.write_text("period = 2.153 s\nlonger = 0.0732\n", "utf-8")
+    assert main(["mark", str(STARTER), str(answer), "--exercise", "period"]) == 0
 
 
 def test_without_models_an_answer_is_marked_by_what_the_pages_start_from(tmp_path, capsys):

@@ -4,6 +4,7 @@ A collection is a folder with an ``__init__.py`` that defines::
 
     PAGES      its pages, a tuple of `rigidtop.proof.page.Page` in reading order
     EXERCISES  a tuple of `rigidtop.proof.exercise.Exercise`; may be left out
+    FIGURES    the names of the figures that its figures.py draws; may be left out
     MODELS     a tuple of `rigidtop.proof.model.Model`, which lines are held against, whoever
                follows; may be left out
     TITLE, SUBTITLE, SOURCE  what stands on the first page of the lecture; may be left out
@@ -33,11 +34,12 @@ from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sympy import Symbol
 
 from rigidtop.collection.faults import EMPTY, is_empty, with_faults
+from rigidtop.collection.figures import checked, drawings, names_of
 from rigidtop.collection.folder import PageError as PageError
 from rigidtop.collection.folder import imported, in_one_line, module_name, said, watched
 from rigidtop.collection.kinds import (
@@ -59,7 +61,7 @@ from rigidtop.proof.exercise import Exercise, texts
 from rigidtop.proof.lecture import Fault, Lecture, Text
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.model import Model
-from rigidtop.proof.page import Claim, Page
+from rigidtop.proof.page import Claim, Page, by_lines
 from rigidtop.read.library import Law, laws_of
 from rigidtop.read.page import read_beside, read_exercises, read_lecture
 from rigidtop.read.tables import rows
@@ -68,6 +70,9 @@ from rigidtop.terminal.files import text_of
 from rigidtop.theory import symbols
 from rigidtop.theory.lettered import Lettered
 
+if TYPE_CHECKING:
+    from rigidtop.figures.drawing import Drawing
+
 
 @dataclass(frozen=True)
 class Collection:
@@ -75,8 +80,9 @@ class Collection:
 
     `notation` says which letters stand for which symbols, where formulas in LaTeX are read.  The
     claims of the pages `besides` are judged when they are asked for by name.  `asked` finds the
-    exercises, which are loaded when something needs them; `read` reads the text, with the solutions
-    of exercises that are named behind it; `letters` says what its letters are.
+    exercises, and `drawn` the figures, which are loaded when something needs them; `read` reads
+    the text, with the solutions of exercises that are named behind it; `letters` says what its
+    letters are.
     """
 
     front: Front
@@ -88,11 +94,17 @@ class Collection:
     read: Callable[[Sequence[str]], Lecture] = lambda _: Lecture()
     letters: Letters = LETTERS
     models: tuple[Any, ...] = ()
+    drawn: Callable[[], tuple[Drawing, ...]] = tuple
 
     @cached_property
     def exercises(self) -> tuple[Exercise, ...]:
         """In reading order."""
         return self.asked()
+
+    @cached_property
+    def figures(self) -> tuple[Drawing, ...]:
+        """Those of its pages.  Raises RigidtopError for what cannot be loaded."""
+        return self.drawn()
 
     @property
     def lecture(self) -> Lecture:
@@ -191,7 +203,9 @@ def built_in() -> Collection:
     from rigidtop.derivations import PAGES, lecture_with
     from rigidtop.derivations.conventions import CONVENTIONS
 
-    return Collection(NOTES, PAGES, _exercises, besides=CONVENTIONS, read=lecture_with)
+    return Collection(
+        NOTES, PAGES, _exercises, besides=CONVENTIONS, read=lecture_with, drawn=_catalog
+    )
 
 
 def _exercises() -> tuple[Exercise, ...]:
@@ -199,6 +213,12 @@ def _exercises() -> tuple[Exercise, ...]:
 
     found: tuple[Exercise, ...] = exercises.EXERCISES
     return found
+
+
+def _catalog() -> tuple[Drawing, ...]:
+    from rigidtop.figures.catalog import FIGURES
+
+    return FIGURES
 
 
 def is_folder(word: str) -> bool:
@@ -279,12 +299,15 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
     numbers = letters.numbers - {*own.symbols} | own.numbers
     letters = replace(letters, numbers=numbers, frames=own.frames)
     exercises = many(getattr(module, "EXERCISES", ()), Exercise, "EXERCISES")
-    figures = tuple(f"exercise-{each.name}" for each in exercises if each.figure)
-    read = partial(_lecture, folder, names, notation, letters, figures, own.faults)
+    asked_in = tuple(f"exercise-{each.name}" for each in exercises if each.figure)
+    pictures = names_of(module)
+    read = partial(_lecture, folder, names, notation, letters, pictures, asked_in, own.faults)
     texts = {text.name: text for text in read(()).texts} if written else {}
     pages = by_hand or tuple(page_of(number, title, texts[name]) for number, title, name in written)
     check_pages(pages)
     check_exercises(exercises, pages)
+    if not by_hand:
+        exercises = tuple(_with_claims_of(pages, each) for each in exercises)
     check_names(pages, exercises)
     title = text(module, "TITLE", folder.resolve().name)
     front = Front(
@@ -309,7 +332,15 @@ def _collection(module: ModuleType, folder: Path) -> Collection:
         read=read,
         letters=letters,
         models=many(getattr(module, "MODELS", ()), Model, "MODELS"),
+        drawn=partial(drawings, module, folder),
     )
+
+
+def _with_claims_of(pages: Sequence[Page], exercise: Exercise) -> Exercise:
+    """The exercise, with the pages' own claims where it names them: `Claim("2.3", "…")`."""
+    written = {claim.name: claim for page in pages for claim in page.claims}
+    own = (written.get(c.name, c) if c.evidence is by_lines else c for c in exercise.claims)
+    return replace(exercise, claims=tuple(own))
 
 
 @cache
@@ -338,15 +369,17 @@ def _lecture(
     notation: Notation,
     letters: Letters,
     figures: Sequence[str],
+    exercise_figures: Sequence[str],
     amiss: Sequence[tuple[str, Fault]],
     exercises: Sequence[str],
 ) -> Lecture:
     """The texts of a folder, those of exercises last, with what is `amiss` with their letters."""
     sources = _sources(folder, names)
-    read = read_lecture(sources, letters, notation, _library)
+    read = checked(read_lecture(sources, letters, notation, _library), figures)
     behind = [(name, text_of(folder / f"{name}.md")) for name in exercises]
     lecture = read_exercises(behind, replace(read, refuted=refuted), notation)
-    lecture = with_faults(lecture, [*sources, *behind], figures, amiss)
+    places = (*figures, *exercise_figures)
+    lecture = with_faults(lecture, [*sources, *behind], places, amiss)
     return replace(lecture, texts=(*lecture.texts, *_empty(folder, lecture)))
 
 

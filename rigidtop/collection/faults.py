@@ -12,7 +12,7 @@ from rigidtop.read.tables import rows
 
 EMPTY = "the page is empty: it has neither words nor displays"
 
-_LINK = re.compile(r"\]\([\w./-]*#([^()\s]+)\)")
+_LINK = re.compile(r"(?<!!)\[[^\[\]]*\]\([\w./-]*#([^()\s]+)\)")  # a picture is no link
 _PLACE = re.compile(r'<a id="([\w.-]+)"></a>')
 _HEADING = re.compile(r"^#+[ \t]+(.+?)[ \t]*$", re.M)
 

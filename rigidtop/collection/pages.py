@@ -26,7 +26,7 @@ from rigidtop.collection.kinds import problems
 from rigidtop.errors import RigidtopError
 from rigidtop.notation.characters import unwritable
 from rigidtop.proof import units
-from rigidtop.proof.lecture import Fault, Heading, Prose, Shown, Text
+from rigidtop.proof.lecture import Fault, Heading, Illustration, Prose, Shown, Text
 from rigidtop.proof.page import Claim, Page
 from rigidtop.proof.words import bold
 from rigidtop.read.statements import statements
@@ -57,6 +57,7 @@ KINDS = {
 _SECTION = re.compile(r"^#{1,2}[ \t]+(\d+(?:\.\d+)*)[ \t]+(\S[^\n]*)$", re.M)
 _SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z$])")
 _FORMULA = re.compile(r"\$([^$]+)\$")
+_LINK = re.compile(r"\[([^\]]+)\]\(#[\w-]+\)")
 
 
 def pages_of(folder: Path) -> tuple[tuple[str, str, str], ...]:
@@ -79,11 +80,13 @@ def page_of(section: str, title: str, text: Text) -> Page:
 
 
 def _claims(text: Text) -> Iterator[Claim]:
-    """What has a number or an anchor, with the words in front of it."""
-    words, named = "", set[str]()
+    """What has a number or an anchor, with the words in front of it, but for those of a picture."""
+    words, heading, named = "", "", set[str]()
     for block in text.blocks:
         if isinstance(block, Heading):
-            words = block.words
+            words = heading = block.words
+        elif isinstance(block, Illustration):
+            words = heading
         elif isinstance(block, Prose):
             words = _SENTENCE.split(block.words)[-1]
         elif isinstance(block, Shown) and block.line is not None:
@@ -95,7 +98,7 @@ def _claims(text: Text) -> Iterator[Claim]:
 
 def _in_words(sentence: str) -> str:
     """A sentence with its formulas as they are read aloud, between dollars."""
-    return " ".join(_FORMULA.sub(_spelt, sentence).split())
+    return " ".join(_FORMULA.sub(_spelt, _LINK.sub(r"\1", sentence)).split())
 
 
 def _spelt(found: re.Match[str]) -> str:

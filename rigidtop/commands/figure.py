@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rigidtop.commands.claims import FOLDER
 from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
 from rigidtop.commands.settings import add_settings, apart, whole
@@ -14,6 +16,7 @@ from rigidtop.parameters import settings
 from rigidtop.proof.words import unmarked
 
 if TYPE_CHECKING:
+    from rigidtop.collection import Collection
     from rigidtop.figures.drawing import Drawing
 
 ABOUT = "draw a figure as SVG, PDF or PNG, or let it move as GIF or MP4"
@@ -26,7 +29,8 @@ examples:
   rigidtop figure
   rigidtop figure torque -o torque.pdf
   rigidtop figure paths --set theta=30deg omega3=400rpm -o paths.svg
-  rigidtop figure rolling-cones -o cones.gif"""
+  rigidtop figure rolling-cones -o cones.gif
+  rigidtop figure my_course/ orbit -o orbit.gif"""
 
 STILL, MOVING = ("svg", "pdf", "png"), ("gif", "mp4")
 MOST_FRAMES = 2000
@@ -34,7 +38,7 @@ MOST_FRAMES = 2000
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command to its parser."""
-    parser.add_argument("name", nargs="?", metavar="NAME", help="the figure")
+    parser.add_argument("name", nargs="*", metavar="NAME", help=f"the figure; {FOLDER}")
     parser.add_argument(
         "-o",
         "--output",
@@ -53,25 +57,33 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """List the figures, or write one."""
-    from rigidtop.figures.catalog import FIGURES, named
+    from rigidtop.collection import is_folder, opened
 
-    if options.name is None:
+    if all(map(is_folder, options.name)):  # no figure before --set: is it behind?
         options.set, more = apart(options.set)
-        if len(more) > 1:
-            raise RigidtopError(f"one figure at a time: {' '.join(more)} are too many")
-        options.name = more[0] if more else None
-    if options.name is None:
+        options.name += more
+    with opened(options.name) as (collection, names):
+        return _run(collection, names, options)
+
+
+def _run(collection: Collection, names: Sequence[str], options: argparse.Namespace) -> int:
+    from rigidtop.figures.catalog import named
+
+    figures = collection.figures
+    if len(names) > 1:
+        raise RigidtopError(f"one figure at a time: {' '.join(names)} are too many")
+    if not names:
         if options.output is not None or options.set or options.frames:
-            raise RigidtopError("which figure?  `rigidtop figure` lists them")
-        _print_list(FIGURES, options.json)
+            raise RigidtopError(f"which figure?  `{collection.command('figure')}` lists them")
+        _print_list(figures, options.json)
         return 0
     from rigidtop.report.wording import Wording
 
-    drawing, notation = named(options.name), chosen(options)
+    drawing, notation = named(names[0], figures), chosen(options)
     values = settings(drawing.parameters, options.set)
     path = Path(f"{drawing.name}.svg" if options.output is None else options.output)
     kind = path.suffix.removeprefix(".").lower()
-    _check(options, drawing, path, kind)
+    _check(options, drawing, path, kind, figures)
     if kind in MOVING and notation.images:
         raise RigidtopError(f"--notation goes with .svg, .pdf or .png, not with a .{kind}")
     drawing = Wording(notation).drawing(drawing)
@@ -94,9 +106,14 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _check(options: argparse.Namespace, drawing: Drawing, path: Path, kind: str) -> None:
+def _check(
+    options: argparse.Namespace,
+    drawing: Drawing,
+    path: Path,
+    kind: str,
+    figures: Sequence[Drawing],
+) -> None:
     """Refuse what can't be written before anything is drawn."""
-    from rigidtop.figures.catalog import FIGURES
     from rigidtop.terminal.files import check_folder
 
     if kind not in STILL + MOVING:
@@ -105,7 +122,7 @@ def _check(options: argparse.Namespace, drawing: Drawing, path: Path, kind: str)
             f"--output wants a file with the suffix .svg, .pdf, .png, .gif or .mp4, {found}"
         )
     if kind in MOVING and drawing.animate is None:
-        those = ", ".join(each.name for each in FIGURES if each.animate is not None)
+        those = ", ".join(each.name for each in figures if each.animate is not None) or "nothing"
         raise RigidtopError(
             f"{drawing.name} does not move: write it as .svg, .pdf or .png (what moves: {those})"
         )
@@ -133,13 +150,13 @@ def _write(drawing: Drawing, path: Path, kind: str, values: dict[str, float], fr
     write_whole(path, content)
 
 
-def _print_list(figures: tuple[Drawing, ...], as_json: bool) -> None:
+def _print_list(figures: Sequence[Drawing], as_json: bool) -> None:
     from rigidtop.terminal.table import columns, padded, paragraph
 
     if as_json:
         print_json([_record(each) for each in figures])
         return
-    room = max(columns(each.name) for each in figures) + 2
+    room = max((columns(each.name) for each in figures), default=0) + 2
     for each in figures:
         title = unmarked(each.title) + (" (moves)" if each.animate else "")
         print(paragraph(title, padded(each.name, room), " " * room))

@@ -111,7 +111,6 @@ def playable(wished: bool | None) -> bool:
 
 
 def _run(collection: Collection, options: argparse.Namespace) -> int:
-    from rigidtop.figures.catalog import FIGURES
     from rigidtop.report.lecture import Edition, Wanted, write_lecture
     from rigidtop.report.solutions import solved
     from rigidtop.terminal.files import check_folder
@@ -143,7 +142,7 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         Edition(
             options.student,
             front,
-            FIGURES if collection.folder is None else (),
+            collection.figures,
             # Pages of one's own need not be about Euler angles.
             notation if collection.folder is None or notation.images else None,
             lines,

@@ -7,7 +7,7 @@ import csv
 import sys
 from collections import Counter
 from collections.abc import Callable
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.mark.marking import Marking
     from rigidtop.mark.task import Subject
+
+    Judge = Callable[[str], tuple[str, str, Marking]]
 
 ABOUT = "mark a derivation: the first line that does not follow, and the slip"
 
@@ -108,18 +110,23 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError(f"one answer at a time: {len(options.file)} names are too many")
     if is_collection(Path(file)):
         raise RigidtopError(f"{file} is a collection, no answer: the answer stands behind it")
-    subject = cache(partial(_subject, folders[0])) if folders else None
-    if subject is not None:
-        if options.exercise is not None:
-            raise RigidtopError("--exercise: those of a collection of one's own are not marked")
-        if options.given is not None:
-            raise RigidtopError("--given: a file stands for the collection; leave one of them out")
-        subject()  # what is wrong with it is told once, and first
-    if file != "-" and Path(file).is_dir():
-        return _class(Path(file), options, subject)
-    source = _typed() if file == "-" else text_of(file)
+    if folders and options.given is not None:
+        raise RigidtopError("--given: a file stands for the collection; leave one of them out")
+    from rigidtop.collection import opened
 
-    start, goal, found = _with_lines(file, _marked(source, options, subject))
+    with opened([f"{folder}/" for folder in folders]) as (collection, _):
+        # What is wrong with a collection is told once, and first.
+        subject = subject_of(collection) if folders else None
+        judge = partial(_marked, options, collection, subject)
+        if file != "-" and Path(file).is_dir():
+            return _class(Path(file), judge)
+        return _one(file, options, judge)
+
+
+def _one(file: str, options: argparse.Namespace, judge: Judge) -> int:
+    """Mark one answer and print."""
+    source = _typed() if file == "-" else text_of(file)
+    start, goal, found = _with_lines(file, judge(source))
     if options.json:
         print_json({"from": start, "to": goal, **found.record})
     else:
@@ -134,14 +141,6 @@ def _with_lines(name: str, marked: tuple[str, str, Marking]) -> tuple[str, str, 
     return marked
 
 
-def _subject(folder: str) -> Subject:
-    """A collection of one's own as what answers are judged by."""
-    from rigidtop.collection import opened
-
-    with opened([f"{folder}/"]) as (collection, _):
-        return subject_of(collection)
-
-
 def subject_of(collection: Collection) -> Subject:
     """A collection, each of its models a family of its own; the built-in one is the top."""
     from rigidtop.mark.task import Subject, top
@@ -153,7 +152,7 @@ def subject_of(collection: Collection) -> Subject:
 
 
 def _marked(
-    source: str, options: argparse.Namespace, subject: Callable[[], Subject] | None
+    options: argparse.Namespace, collection: Collection, subject: Subject | None, source: str
 ) -> tuple[str, str, Marking]:
     """The marks of an answer, and the ends of the derivation, if it is one."""
     from rigidtop.mark.answer import mark
@@ -163,19 +162,20 @@ def _marked(
     if options.exercise is not None:
         from rigidtop.mark.exercise import answered
 
-        return answered(options.exercise, source, options.settings, *limits)
+        name, given = options.exercise, options.settings
+        return answered(name, source, given, *limits, collection.exercises, subject)
     if options.given is not None:
         asked = task_of(text_of(options.given), options.goal)
         return options.given, options.goal, mark(source, asked, *limits)
     start, goal = options.start, options.goal
-    asked = task(start, goal, None if subject is None else subject())
+    asked = task(start, goal, subject)
     return start, goal, mark(source, asked, *limits)
 
 
 COLUMNS = ("file", "points", "of", "passed", "wrong line", "slips", "summary")
 
 
-def _class(folder: Path, options: argparse.Namespace, subject: Callable[[], Subject] | None) -> int:
+def _class(folder: Path, judge: Judge) -> int:
     """A row of CSV for each answer of a folder; below it, on stderr, the commonest slips.
 
     0 if each could be marked.
@@ -189,7 +189,7 @@ def _class(folder: Path, options: argparse.Namespace, subject: Callable[[], Subj
     unmarked = 0
     for path in files:
         try:
-            *_, found = _with_lines(path.name, _marked(text_of(path), options, subject))
+            *_, found = _with_lines(path.name, judge(text_of(path)))
         except RigidtopError as error:
             writer.writerow([_cell(path.name), 0, 0, False, "", "", _cell(str(error))])
             unmarked += 1

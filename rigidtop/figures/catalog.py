@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from difflib import get_close_matches
 
 from rigidtop.errors import RigidtopError
@@ -65,17 +66,18 @@ FIGURES: tuple[Drawing, ...] = (
 """In the order of the notes."""
 
 
-def named(name: str) -> Drawing:
-    """The figure of this name; RigidtopError, with the names that are near, if there is none.
+def named(name: str, figures: Sequence[Drawing] = FIGURES) -> Drawing:
+    """The one of some figures that has this name; RigidtopError, with near names, if none has.
 
     >>> named("path")
     Traceback (most recent call last):
     ...
     rigidtop.errors.RigidtopError: no figure 'path'; did you mean paths?
     """
-    known = {drawing.name: drawing for drawing in FIGURES}
+    known = {drawing.name: drawing for drawing in figures}
     if name in known:
         return known[name]
     near = get_close_matches(name, known, n=3, cutoff=0.5)
-    hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(known)}"
+    there = f"there are {', '.join(known)}" if known else "there is none"
+    hint = f"did you mean {' or '.join(near)}?" if near else there
     raise RigidtopError(f"no figure {name!r}; {hint}")

@@ -15,12 +15,11 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 
-from rigidtop.derivations import lecture
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.errors import RigidtopError
 from rigidtop.mark.answer import LONGEST, SECONDS, SECONDS_A_LINE, mark
 from rigidtop.mark.marking import Mark, Marked, Marking
-from rigidtop.mark.task import task
+from rigidtop.mark.task import Subject, task, top
 from rigidtop.parameters import settings
 from rigidtop.proof.exercise import Answer, Exercise
 from rigidtop.proof.units import NUMBER, parsed
@@ -58,8 +57,12 @@ def answered(
     given: Sequence[str] = (),
     a_line: float = SECONDS_A_LINE,
     altogether: float = SECONDS,
+    exercises: Sequence[Exercise] = EXERCISES,
+    subject: Subject | None = None,
 ) -> tuple[str, str, Marking]:
     """The marks of an answer to an exercise, with the ends of the derivation, if it is one.
+
+    The `exercises` are those of the `subject`, which is the lecture on the top if it is None.
 
     `given` are settings of the exercise other than its own, such as "theta=30deg".  Raises
     RigidtopError for an exercise or a setting that is not there, and for an answer of which no
@@ -69,14 +72,14 @@ def answered(
     >>> [line.mark.value for line in found.lines], found.passed
     (['follows'], False)
     """
-    exercise = _named(name)
+    exercise = _named(name, exercises)
     if len(source) > LONGEST:
         raise RigidtopError(f"an answer has no more than {LONGEST} characters, not {len(source)}")
     asked = numbers(exercise, given)
     if any(match[1] in asked for match in _NAMED.finditer(source)):
         return "", "", _numeric(source, exercise.name, asked)
-    ends_here = ends(name)
-    return (*ends_here, mark(source, task(*ends_here), a_line, altogether))
+    ends_here = ends(name) if subject is None else _ends_of(exercise, subject)
+    return (*ends_here, mark(source, task(*ends_here, subject), a_line, altogether))
 
 
 def numbers(exercise: Exercise, given: Sequence[str] = ()) -> Mapping[str, Answer]:
@@ -85,10 +88,12 @@ def numbers(exercise: Exercise, given: Sequence[str] = ()) -> Mapping[str, Answe
     return {x.name: x for x in exercise.solve(**values) if isinstance(x, Answer)}
 
 
-def _named(name: str) -> Exercise:
-    found: dict[str, Exercise] = {exercise.name: exercise for exercise in EXERCISES}
+def _named(name: str, exercises: Sequence[Exercise] = EXERCISES) -> Exercise:
+    found: dict[str, Exercise] = {exercise.name: exercise for exercise in exercises}
     if name not in found:
-        raise RigidtopError(f"no exercise is called {name!r}: {', '.join(found)}")
+        raise RigidtopError(
+            f"no exercise is called {name!r}: {', '.join(found) or 'there is none'}"
+        )
     return found[name]
 
 
@@ -103,24 +108,27 @@ def ends(name: str) -> tuple[str, str]:
     >>> ends("fast-spin-roots")
     ('3.57', 'two-roots')
     """
-    exercise = _named(name)
-    found = _ends(claim.name for claim in exercise.claims)
+    return _ends_of(_named(name), top())
+
+
+def _ends_of(exercise: Exercise, subject: Subject) -> tuple[str, str]:
+    found = _ends([claim.name for claim in exercise.claims], subject)
     if found is None:
         raise RigidtopError(
-            f"of {name} no derivation is marked, but its numbers are, a line each: "
+            f"of {exercise.name} no derivation is marked, but its numbers are, a line each: "
             f"{_listed(numbers(exercise).values())}"
         )
     return found
 
 
-def _ends(goals: Iterable[str]) -> tuple[str, str] | None:
+def _ends(goals: Iterable[str], subject: Subject) -> tuple[str, str] | None:
     """The first of some claims that can be marked, behind the last number that leads there."""
-    names = lecture().names
+    names = subject.lecture.names
     starts = [name for name in reversed(names) if name[:1].isdigit()]
     for goal in goals:
         for start in starts if goal in names else ():
             try:
-                task(start, goal)
+                task(start, goal, subject)
             except RigidtopError:
                 continue
             return start, goal

@@ -62,6 +62,16 @@ class Shown:
 
 
 @dataclass(frozen=True)
+class Illustration:
+    """A figure at its place, by its name, with the words beneath it."""
+
+    name: str
+    words: str
+    at: int
+    pieces: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True)
 class Box:
     """Where a box begins, which holds what goes beyond the main thread; its words are its title.
 
@@ -79,7 +89,7 @@ class BoxEnd:
     """Where a box ends."""
 
 
-Block = Prose | Heading | Shown | Box | BoxEnd
+Block = Prose | Heading | Shown | Illustration | Box | BoxEnd
 
 
 @dataclass(frozen=True)
@@ -340,7 +350,7 @@ class Lecture:
             unknown = [
                 Fault(block.at, f"no line has the number ({number})")
                 for block in text.blocks
-                if isinstance(block, Prose)
+                if isinstance(block, Prose | Illustration)
                 for number in dict.fromkeys(_NUMBER.findall(block.words))
                 if number not in numbers
             ]

@@ -20,6 +20,9 @@ our pages do, and has no headings:
 
     </details>
 
+A picture is a paragraph of its own, ``![The orbit of (1.5).](#orbit)``: its words, and the name of
+what draws it.
+
 Behind it "it" and "the discriminant" are those of the main thread, if that has any.  A box that
 begins with ``<details class="lecturer">`` is not for students.
 """
@@ -47,6 +50,7 @@ from rigidtop.proof.lecture import (
     BoxEnd,
     Fault,
     Heading,
+    Illustration,
     Lecture,
     Prose,
     Shown,
@@ -73,6 +77,8 @@ _NEARLY_ANCHOR = re.compile(r"\s*<a\b(?![^>]*\bhref)", re.I)
 _BOX = re.compile(r'<details( class="lecturer")?><summary>(.+)</summary>\s*')
 _NEARLY_BOX = re.compile(r"\s*</?(?:details|summary)\b", re.I)
 _BOX_END = "</details>"
+_PICTURE = re.compile(r"!\[(.*)\]\(#([\w-]+)\)", re.S)
+_NEARLY_PICTURE = re.compile(r"\s*!\[")
 _LIST = re.compile(r"\s*(?:[-*+]|\d+[.)])\s")
 
 
@@ -166,6 +172,9 @@ class _Reader:
         elif _NEARLY_BOX.match(text):
             self.end()
             self.box(text, at)
+        elif _NEARLY_PICTURE.match(text):
+            self.end()
+            self.picture(text, at)
         elif text.startswith("$$"):
             self.display(text.strip("$").strip(), at)
         elif _HIDDEN.search(text):
@@ -189,6 +198,15 @@ class _Reader:
 
     def prose(self, words: str, at: int) -> None:
         self.blocks.append(Prose(words, at, pieces(words, self.notation)))
+
+    def picture(self, text: str, at: int) -> None:
+        """What is drawn stands here."""
+        shown = _PICTURE.fullmatch(text.strip())
+        if shown is None:
+            self.fault(at, "a picture is a paragraph of its own: ![its words](#its-name)")
+            return
+        words = " ".join(shown[1].split())
+        self.blocks.append(Illustration(shown[2], words, at, pieces(words, self.notation)))
 
     def box(self, text: str, at: int) -> None:
         """A box begins or ends."""

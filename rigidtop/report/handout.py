@@ -14,7 +14,7 @@ from typing import Any
 from rigidtop.notation import Notation
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.exercise import Answer, Exercise, Table
-from rigidtop.proof.lecture import Lecture, Prose, Text
+from rigidtop.proof.lecture import Illustration, Lecture, Prose, Text
 from rigidtop.proof.page import Claim, Page
 from rigidtop.proof.verdict import Judgement, Verdict
 from rigidtop.report import blocks as b
@@ -124,10 +124,12 @@ def order_of_figures(
 
 
 def spoken_of(text: Text) -> list[str]:
-    """The names of the figures that a text speaks of."""
+    """The names of the figures that a text shows or speaks of."""
     names: list[str] = []
     for block in text.blocks:
-        if isinstance(block, Prose):
+        if isinstance(block, Illustration):
+            names.append(block.name)
+        elif isinstance(block, Prose):
             names += cited_figures(block.pieces)
         elif getattr(block, "line", None) is not None:
             names += cited_figures(block.line.words)  # type: ignore[union-attr]

@@ -14,7 +14,16 @@ import sympy
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.lecture import Box, BoxEnd, Heading, Lecture, Prose, Shown, Text
+from rigidtop.proof.lecture import (
+    Box,
+    BoxEnd,
+    Heading,
+    Illustration,
+    Lecture,
+    Prose,
+    Shown,
+    Text,
+)
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Condition
 from rigidtop.proof.trial import diagnose
@@ -77,11 +86,12 @@ def text_blocks(
     """A page as it is read: its paragraphs, its headings, and every line after its sentence.
 
     `marks` stand beside the last line of what they name, and blocks among them behind it.  Each of
-    the `figures` stands behind the paragraph that speaks of it first, and is cited by its number.
+    the `figures` stands at its picture, or behind the paragraph that speaks of it first, and is
+    cited by its number.
     """
     blocks: list[b.Block] = []
     rows: list[b.Row] = []
-    placed: set[str] = set()
+    placed = {block.name for block in text.blocks if isinstance(block, Illustration)}
     own = [line.id for line in text.lines]
     at: dict[str, Sequence[b.Block | b.Mark]] = {}
     for name, beside in marks.items():
@@ -119,7 +129,9 @@ def text_blocks(
             blocks.append(b.BoxEnd())
             continue
         content = running(block.pieces, notation, figures)
-        if isinstance(block, Heading):
+        if isinstance(block, Illustration):
+            blocks += [captioned(figures[block.name], content)] * (block.name in figures)
+        elif isinstance(block, Heading):
             blocks.append(b.Subhead(_titled(content)))
         elif isinstance(block, Box):
             blocks.append(b.Box(_titled(content), block.for_lecturers))
@@ -128,6 +140,11 @@ def text_blocks(
             place(block.pieces)
     close()
     return [*blocks, *gaps(lecture, [line.id for line in text.lines])]
+
+
+def captioned(figure: b.Figure, words: b.Rich) -> b.Figure:
+    """A figure with the words of its page in front of those that it has itself."""
+    return replace(figure, caption=f"{_titled(words)} {figure.caption}".strip())
 
 
 def told_rows(

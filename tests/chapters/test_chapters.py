@@ -50,6 +50,8 @@ SLIPS = {
             r"- \frac{\dot r}{r^2}\mathbf r\right)",
             r"+ \frac{\dot r}{r^2}\mathbf r\right)",
         ),
+        ("vector", r"\frac2m\left(E + \frac kr", r"\frac2m\left(E - \frac kr"),
+        ("vector", r"+ 2mEL^2", r"- 2mEL^2"),
     ),
     "rolling": (
         ("wheel", r"I\ddot\chi = -\mu R", r"I\ddot\chi = \mu R"),

@@ -27,7 +27,7 @@
     link.setAttribute("aria-describedby", "card");
     const { left, top, bottom } = link.getClientRects()[0];
     const low = bottom + card.offsetHeight < innerHeight ? bottom : top - card.offsetHeight;
-    card.style.top = `${scrollY + low}px`;
+    card.style.y = `${scrollY + low}px`;
     card.style.left = `${Math.max(4, Math.min(left, innerWidth - card.offsetWidth - 20))}px`;
   };
   for (const kind of ["pointerover", "focusin"]) addEventListener(kind, (event) => show(linkOf(event)));
@@ -50,7 +50,7 @@
   // The section that is read is marked in the contents.
   const entries = [...document.querySelectorAll(".toc a")].map((link) => [link, document.getElementById(link.hash.slice(1))]);
   const read = () => {
-    const now = entries.findLast(([, place]) => place.getBoundingClientRect().top < innerHeight / 3);
+    const now = entries.findLast(([, place]) => place.getBoundingClientRect().y < innerHeight / 3);
     for (const each of entries) each[0].setAttribute("aria-current", String(each === now));
   };
   addEventListener("scroll", read, { passive: true });

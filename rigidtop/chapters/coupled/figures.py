@@ -1,0 +1,182 @@
+"""The two modes in flashes of light, and the beats."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from rigidtop.figures import picture as pen
+from rigidtop.figures import style as look
+from rigidtop.figures.drawing import Drawing, Film
+from rigidtop.figures.style import Canvas, Floats
+from rigidtop.parameters import Parameter
+
+from .swings import swing
+
+THETA = Parameter("theta", 0.35, "deflection at the start", "rad", above=0, most=0.8)
+STIFFNESS = Parameter("stiffness", 0.15, "stiffness of the spring, $Dl/mg$", above=0, most=2)
+APART, COILS = 1.5, 9
+"""Between the pivots, by the length of a string; turns of the spring."""
+
+
+def frequencies(stiffness: float) -> tuple[float, float]:
+    """ω₁ and ω₂ by (2.3) and (2.4), where l = g = m = 1."""
+    return 1.0, math.sqrt(1 + 2 * stiffness)
+
+
+def let_go(start: tuple[float, float], stiffness: float, times: Floats) -> Floats:
+    """The deflections (N, 2) of pendulums that are let go at rest, where l = g = m = 1."""
+    return swing(start, 1.0, 1.0, 1.0, stiffness).integrate(times).q
+
+
+def pendulums(angles: Floats, light: bool = False) -> list[pen.Part]:
+    """Two pendulums with the spring between them; or where they are at another time, in grey."""
+    pivots = np.array([-APART / 2, APART / 2])
+    x, y = pivots + np.sin(angles), -np.cos(angles)
+    color, z = (look.RULE, 1.0) if light else (look.INK, 3.0)
+    parts: list[pen.Part] = [
+        pen.Curve((np.array([a, b]), np.array([0.0, c])), color, 0.7 if light else 1.1, z=z)
+        for a, b, c in zip(pivots, x, y, strict=True)
+    ]
+    if light:
+        return [*parts, pen.Mark((x, y), color, 6, fill="white", z=1.5)]
+    along = np.linspace(0.0, 1.0, 4 * COILS + 1)
+    bends = np.where((along > 0.12) & (along < 0.88), np.sin(2 * math.pi * COILS * along), 0.0)
+    gap = np.array([x[1] - x[0], y[1] - y[0]])
+    across = np.array([-gap[1], gap[0]]) / math.hypot(*gap)
+    spring = (x[0] + along * gap[0], y[0] + along * gap[1])
+    beside = 0.05 * bends
+    return [
+        *parts,
+        pen.Curve(tuple(p + beside * a for p, a in zip(spring, across, strict=True)), lw=0.8, z=2),
+        pen.Mark((x, y), look.FIRST, 10, fill=look.FACE, z=6),
+        pen.Curve((np.array([-1.25, 1.25]), np.zeros(2)), look.NOTE, 2.2, z=4),
+        pen.Mark((pivots, np.zeros(2)), look.NOTE, 2.5),
+    ]
+
+
+# --- Modes ---------------------------------------------------------------------------------------
+
+
+def draw_mode(axes: Axes, sign: int, theta: float, stiffness: float) -> None:
+    """One mode in flashes of half a period, drawn in full where it is let go."""
+    rate = frequencies(stiffness)[sign < 0]
+    times = np.linspace(0.0, math.pi / rate, 6)
+    run = let_go((theta, sign * theta), stiffness, times)
+    name = (r"$\omega_2$", r"$\omega_1$")[sign > 0]
+    factor = "" if sign > 0 else rf"{look.in_math(rate)}\,"
+    words = rf"{name}${{}} = {factor}\sqrt{{g/l}}$"
+    parts = [part for angles in run[1:] for part in pendulums(angles, light=True)]
+    parts += pendulums(run[0])
+    parts += [pen.Words((0.0, -1.42), words, ha="center")]
+    pen.draw(axes, parts)
+    pen.paper(axes, (-1.65, 1.65), (-1.5, 0.1))
+
+
+def _modes(theta: float, stiffness: float) -> Canvas:
+    drawn = Canvas(figsize=(look.TEXT, 1.35))
+    for k, sign in enumerate((1, -1)):
+        draw_mode(drawn.add_axes((k / 2, 0.0, 0.5, 1.0)), sign, theta, stiffness)
+    return drawn
+
+
+MODES = Drawing(
+    "modes",
+    "The two modes",
+    "2",
+    (THETA, STIFFNESS),
+    _modes,
+    "They are let go at {theta:°}; grey: in flashes of light, at equal intervals, until they have "
+    "come to the other side. The spring has $Dl/mg = {stiffness}$.",
+    "Two pictures of two pendulums with a spring between the bobs. On the left both lean to the "
+    "right by {theta:°} degrees, on the right they lean apart. Light lines show where they are in "
+    "later flashes, to the other side.",
+)
+
+
+# --- Beats ---------------------------------------------------------------------------------------
+
+
+def _span(stiffness: float) -> float:
+    """Two exchanges."""
+    first, second = frequencies(stiffness)
+    return min(2 * math.pi / (second - first), 80 * math.pi)
+
+
+def _curves(axes: Axes, k: int, theta: float, stiffness: float, until: float = 1.0) -> None:
+    """One deflection in time, in degrees, between what changes slowly in (2.8)."""
+    first, second = frequencies(stiffness)
+    t = np.linspace(0.0, _span(stiffness), 1201)
+    slow = (second - first) * t / 2
+    bound = math.degrees(theta) * np.abs((np.cos, np.sin)[k](slow))
+    shown = t <= until * t[-1]
+    run = np.degrees(let_go((theta, 0.0), stiffness, t)[:, k])
+    turns = t / (2 * math.pi)
+    parts: list[pen.Part] = [
+        pen.Curve((turns, sign * bound), look.SECOND, 0.9, look.DASHED, z=3) for sign in (1, -1)
+    ]
+    parts += [pen.Curve((turns[shown], run[shown]), look.FIRST, 1.1)]
+    if until < 1:
+        parts += [pen.Mark((turns[shown][-1], run[shown][-1]), look.FIRST, 4)]
+    pen.draw(axes, [*parts, pen.Rule(y=0.0)])
+    most = 1.08 * math.degrees(theta)
+    axes.set(xlim=(0, turns[-1]), ylim=(-most, most), ylabel=rf"$\theta_{k + 1}$  (degrees)")
+
+
+ABOUT_TIME = r"time  (periods $2\pi\,\sqrt{l/g}$)"
+
+
+def _beats(theta: float, stiffness: float) -> Canvas:
+    drawn = look.canvas(look.TEXT, 2.9)
+    for k, axes in enumerate(drawn.subplots(2, sharex=True)):
+        _curves(axes, k, theta, stiffness)
+    axes.set_xlabel(ABOUT_TIME)
+    return drawn
+
+
+def _film(theta: float, stiffness: float) -> Film:
+    """The pendulums above, what they did below; two exchanges."""
+    drawn = Canvas(figsize=(look.TEXT, 4.4))
+    above = drawn.add_axes((0.2, 0.6, 0.6, 0.39))
+    below = [drawn.add_axes((0.12, bottom, 0.85, 0.21)) for bottom in (0.36, 0.11)]
+
+    def show(share: float) -> None:
+        for k, axes in enumerate(below):
+            axes.clear()
+            _curves(axes, k, theta, stiffness, share)
+        below[0].tick_params(labelbottom=False)
+        below[1].set_xlabel(ABOUT_TIME)
+        above.clear()
+        now = np.array([share * _span(stiffness)])
+        pen.draw(above, pendulums(let_go((theta, 0.0), stiffness, now)[0]))
+        pen.paper(above, (-1.65, 1.65), (-1.15, 0.1))
+
+    show(0.0)
+    return Film(drawn, show)
+
+
+def _facts(stiffness: float, **_: float) -> dict[str, Any]:
+    first, second = frequencies(stiffness)
+    return {"exchange": first / (2 * (second - first))}
+
+
+BEATS = Drawing(
+    "beats",
+    "Beats of two pendulums",
+    "2",
+    (Parameter("theta", 0.2, THETA.about, "rad", above=0, most=0.5), STIFFNESS),
+    _beats,
+    "The first pendulum is let go at {theta:°}. The equations are integrated with their sines and "
+    "cosines; dashed: what changes slowly in (2.8). With $Dl/mg = {stiffness}$ the second one has "
+    "all after {exchange} periods.",
+    "Two curves over the time, one above the other. The first deflection starts wide, at {theta:°} "
+    "degrees, dies down and comes back; the second is widest where the first is at rest, after "
+    "{exchange} periods.",
+    _facts,
+    _film,
+)
+
+FIGURES = (MODES, BEATS)

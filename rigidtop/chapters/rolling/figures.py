@@ -1,0 +1,207 @@
+"""A wheel on a slope in flashes of light, and the circle of a ball on a turntable."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from rigidtop.figures import picture as pen
+from rigidtop.figures import style as look
+from rigidtop.figures.drawing import Drawing, Film
+from rigidtop.figures.style import Canvas, Floats
+from rigidtop.parameters import Parameter
+
+from .rolling import down, set_down
+
+# --- The wheel -----------------------------------------------------------------------------------
+
+RATIO = Parameter("ratio", 1.0, "$I$ by $mR^2$", above=0, most=1)
+SLOPE = Parameter("slope", math.radians(22), "slope", "rad", least=0.1, most=1.0)
+WAY, FLASHES = 7.0, 5
+"""By R, and how often light falls on it."""
+
+ROUND = np.linspace(0.0, 2 * math.pi, 121)
+
+
+def _flat(x: Any, y: Any) -> tuple[Floats, Floats]:
+    return np.asarray(x, dtype=float), np.asarray(y, dtype=float)
+
+
+def rim(centre: Floats, angle: float, light: bool) -> list[pen.Part]:
+    """The wheel of radius 1 with a spoke that has turned by an angle, clockwise."""
+    edge = _flat(centre[0] + np.cos(ROUND), centre[1] + np.sin(ROUND))
+    spoke = centre[:, None] + np.outer([math.sin(angle), math.cos(angle)], [0.0, 1.0])
+    color = look.RULE if light else look.EDGE
+    face = [] if light else [pen.Face(edge, look.MANTLE, z=1)]
+    return [*face, pen.Curve(edge, color, 1.2), pen.Curve(_flat(*spoke), color, 1.2)]
+
+
+def draw_wheel(axes: Axes, ratio: float, slope: float) -> None:
+    """The wheel where it is let go and later, and the forces on it; mg is 2.4 R long."""
+    along = np.array([math.cos(slope), -math.sin(slope)])
+    out = np.array([math.sin(slope), math.cos(slope)])
+    last = math.sqrt(2 * WAY * (1 + ratio) / math.sin(slope))
+    s, chi = down(ratio, slope, 1.0, 1.0, 1.0).integrate(np.linspace(0.0, last, FLASHES)).q.T
+    parts: list[pen.Part] = []
+    for way, angle in reversed([*zip(s, chi, strict=True)]):
+        parts += rim(way * along + out, angle, light=way > 0)
+    low, high = -1.6 * along, (WAY + 1.4) * along
+    corner = np.array([low[0], high[1]])
+    ground = np.array([low, high, corner])
+    touch, weight = np.zeros(2), 2.4
+    friction = weight * ratio / (1 + ratio) * math.sin(slope)
+    turn = np.linspace(math.pi, math.pi - slope, 31)
+    arrows = (
+        (out, np.array([0.0, -weight]), r"$m\mathbf{g}$", (9, 2)),
+        (touch, weight * math.cos(slope) * out, r"$\mathbf{S}$", (8, 3)),
+        (touch, -friction * along, r"$|\mu|$", (-3, -9)),
+    )
+    for start, force, words, shift in arrows:
+        tip = tuple(start + force)
+        parts.append(pen.Arrow(tip, words, look.TORQUE, 1.5, tuple(start), shift, 6))
+    parts += [
+        pen.Face(_flat(*ground.T), look.GROUND, z=0.5),
+        pen.Curve(_flat(*ground[:2].T), look.NOTE, 1.2, z=1.5),
+        pen.Curve(_flat(high[0] + 2.2 * np.cos(turn), high[1] + 2.2 * np.sin(turn)), lw=0.8),
+        pen.Words((high[0] - 2.6, high[1]), r"$\alpha$", (0, 3), ha="right"),
+        pen.Mark(tuple(out), look.INK, 3),
+        pen.Mark((0.0, 0.0), look.INK, 3),
+    ]
+    pen.draw(axes, parts)
+    pen.paper(axes, (low[0] - 0.1, high[0] + 0.1), (high[1] - 0.1, 2.75))
+
+
+def _wheel_facts(ratio: float, slope: float) -> dict[str, Any]:
+    share = 1 / (1 + ratio)
+    return {"share": share, "rough": ratio * share * math.tan(slope)}
+
+
+WHEEL = Drawing(
+    "wheel",
+    "A wheel that rolls down a slope",
+    "1",
+    (RATIO, SLOPE),
+    pen.alone(2.4, lambda axes, **values: draw_wheel(axes, **values)),
+    "The slope is $α = {slope:°}$, and $I/mR² = {ratio}$; $𝐒$ is the push of the slope. The wheel "
+    "has {share:%} per cent of the acceleration of something that slides without friction, and "
+    "does not slip for $μ_s > {rough}$. Grey: in flashes of light, at equal intervals.",
+    "A wheel with a spoke on a slope of {slope:°} degrees. Arrows are its weight, the push of the "
+    "slope and the friction, which points up the slope. Further down it stands in grey, farther "
+    "and farther apart, the spoke turned.",
+    _wheel_facts,
+)
+
+# --- The ball ------------------------------------------------------------------------------------
+
+D = Parameter("d", 0.2, "distance from the axis at the start", "m", least=0.05, most=1)
+V = Parameter("v", 0.1, "velocity at the start, outwards", "m/s", above=0, most=2)
+TURN = Parameter("turn", math.pi, "rate of the table, $Ω$", "rad/s", above=0)
+
+
+def places(d: float, v: float, turn: float, times: Floats) -> Floats:
+    """Of the ball (N, 2), as seen from the room."""
+    return set_down((d, 0.0), (v, 0.0), turn).integrate(times).q[:, :2]
+
+
+def _rounds(turn: float, count: int = 1) -> Floats:
+    """Times, so often round the circle."""
+    return np.linspace(0.0, 7 * math.pi * count / turn, 600 * count + 1)
+
+
+def _on_table(run: Floats, angles: Floats) -> Floats:
+    """The same places for somebody who stands on the table."""
+    c, s = np.cos(angles), np.sin(angles)
+    return np.stack([c * run[:, 0] + s * run[:, 1], c * run[:, 1] - s * run[:, 0]], axis=1)
+
+
+def _table(axes: Axes, size: float, angle: float, words: str) -> None:
+    spokes = [angle + k * math.pi / 3 for k in range(6)]
+    edge = _flat(size * np.cos(ROUND), size * np.sin(ROUND))
+    ends = [_flat([0, size * math.cos(x)], [0, size * math.sin(x)]) for x in spokes]
+    parts: list[pen.Part] = [pen.Face(edge, look.GROUND, look.RULE, z=0.4)]
+    parts += [pen.guide(end, color=look.RULE, lw=0.7) for end in ends]
+    parts += [pen.Mark((0.0, 0.0), look.NOTE, 3)]
+    parts += [pen.Words((0.0, -size), words, (0, -12), look.NOTE, "center", size=look.SMALL)]
+    pen.draw(axes, parts)
+    pen.paper(axes, (-1.08 * size, 1.08 * size), (-1.25 * size, 1.08 * size))
+
+
+def _size(d: float, v: float, turn: float) -> float:
+    """Of a table on which there is room for the circle."""
+    radius = 7 * v / (2 * turn)
+    return 1.15 * (math.hypot(d, radius) + radius)
+
+
+def draw_room(axes: Axes, d: float, v: float, turn: float, share: float = 1.0) -> None:
+    """The ball as seen from the room, until a share of the circle."""
+    size, times = _size(d, v, turn), _rounds(turn)
+    run = places(d, v, turn, times)
+    passed = run[times <= share * times[-1]]
+    _table(axes, size, turn * share * times[-1], "from the room")
+    tip = d + 0.35 * size, 0.0
+    parts: list[pen.Part] = [
+        pen.Curve(_flat(*passed.T), look.FIRST, 1.4, z=3),
+        pen.Mark((d, 7 * v / (2 * turn)), look.SECOND, 5, "+"),
+        pen.Words((d, 7 * v / (2 * turn)), r"$\mathbf{c}$", (5, 3), look.SECOND),
+    ]
+    if share < 1:
+        parts.append(pen.Mark(tuple(passed[-1]), look.INK, 9, fill=look.FACE))
+    else:
+        parts.append(pen.Arrow(tip, r"$\mathbf{v}$", look.INK, 1.2, (d, 0.0), (7, 3)))
+        parts.append(pen.Mark((d, 0.0), look.INK, 7, fill=look.FACE))
+    pen.draw(axes, parts)
+
+
+def draw_on_table(axes: Axes, d: float, v: float, turn: float) -> None:
+    """The same for somebody who stands on the table."""
+    times = _rounds(turn, 2)  # after seven turns of the table the path closes
+    path = _on_table(places(d, v, turn, times), turn * times)
+    _table(axes, _size(d, v, turn), 0.0, "from the table")
+    ball = pen.Mark((d, 0.0), look.INK, 7, fill=look.FACE)
+    pen.draw(axes, [pen.Curve(_flat(*path.T), look.FIRST, 1.4, z=3), ball])
+
+
+def _circle(**values: float) -> Canvas:
+    drawn = Canvas(figsize=(look.TEXT, 2.75))
+    for k, fill in enumerate((draw_room, draw_on_table)):
+        fill(drawn.add_axes((k / 2, 0.0, 0.5, 1.0)), **values)
+    return drawn
+
+
+def _film(**values: float) -> Film:
+    """Once round the circle, from the room; the table turns below."""
+    drawn = Canvas(figsize=(look.COLUMN, 3.6))
+    axes = drawn.add_axes((0.0, 0.0, 1.0, 1.0))
+
+    def show(share: float) -> None:
+        axes.clear()
+        draw_room(axes, **values, share=share)
+
+    show(0.0)
+    return Film(drawn, show)
+
+
+def _circle_facts(d: float, v: float, turn: float) -> dict[str, Any]:
+    return {"radius": 7 * v / (2 * turn), "time": 7 * math.pi / turn}
+
+
+CIRCLE = Drawing(
+    "circle",
+    "A ball on a turntable",
+    "2",
+    (D, V, TURN),
+    _circle,
+    "The table turns to the left at $Ω = {turn}$ rad/s; the ball starts {d} m from the axis with "
+    "$v = {v}$ m/s and goes round in {time} s, at the distance {radius} m from $𝐜$. Right: two "
+    "rounds as seen by somebody on the table.",
+    "Two round tables from above. On the left the ball goes round in a circle of {radius} m about "
+    "a point c that is not the axis of the table; on the right, from the table, its path winds "
+    "about the axis seven times and closes.",
+    _circle_facts,
+    _film,
+)
+
+FIGURES = (WHEEL, CIRCLE)

@@ -1,0 +1,105 @@
+"""Exercises of the chapters: their numbers, confirmed for other settings too, and marked."""
+
+import math
+
+import pytest
+
+from rigidtop.cli import main
+from rigidtop.collection import load
+from rigidtop.collection.chapters import CHAPTERS, chapters
+from rigidtop.proof.exercise import Answer
+from rigidtop.proof.page import Measure
+
+EXERCISES = {
+    (name, each.name): each for name in chapters() for each in load(CHAPTERS / name).exercises
+}
+every_exercise = pytest.mark.parametrize(("chapter", "name"), EXERCISES)
+
+NUMBERS = {
+    ("kepler", "comet"): {"period": 75.3 * 365.25 * 86400, "nearest": 0.5885 * 1.495979e11},
+    ("kepler", "seasons"): {"longer": 7.77 * 86400},
+    ("coupled", "exchange"): {"time": 8.674, "swings": 4.574},
+    ("coupled", "three"): {"slowest": math.sqrt(9.81), "fastest": math.sqrt(9.81 + 3 * 1.2)},
+    ("foucault", "tower"): {"time": 5.676, "east": 0.0259},
+    ("foucault", "pantheon"): {"round": 31.8 * 3600, "period": 16.42},
+    ("rolling", "race"): {"hoop": 1.544, "ball": 1.292, "rough": math.tan(math.radians(20)) / 2},
+    ("rolling", "turntable"): {"time": 7.0, "radius": 0.35 / math.pi},
+}
+"""From tables, or by hand."""
+
+OTHERS = {
+    ("kepler", "comet"): {"epsilon": 0.2, "a": 1.5e11},
+    ("kepler", "seasons"): {"epsilon": 0.6},
+    ("coupled", "exchange"): {"D": 3.0, "length": 0.4},
+    ("coupled", "three"): {"D": 5.0, "m": 2.0},
+    ("foucault", "tower"): {"height": 20.0, "latitude": -0.6},
+    ("foucault", "pantheon"): {"length": 5.0, "A": 0.2, "latitude": 1.2},
+    ("rolling", "race"): {"slope": 1.0, "R": 0.5},
+    ("rolling", "turntable"): {"turn": 0.7, "d": 0.0},
+}
+
+
+def answers(chapter, name, **given):
+    exercise = EXERCISES[chapter, name]
+    values = {p.name: p.default for p in exercise.parameters} | given
+    outcomes = [*exercise.solve(**values)]
+    assert all(o.passed for o in outcomes if isinstance(o, Measure)), outcomes
+    assert any(isinstance(o, Measure) for o in outcomes)
+    return {o.name: o for o in outcomes if isinstance(o, Answer)}
+
+
+def test_each_chapter_has_two():
+    assert all(sum(where == name for where, _ in EXERCISES) >= 2 for name in chapters())
+    assert EXERCISES.keys() == NUMBERS.keys() == OTHERS.keys()
+
+
+@every_exercise
+def test_numbers_are_right_and_confirmed(chapter, name):
+    found = answers(chapter, name)
+    for which, value in NUMBERS[chapter, name].items():
+        assert found[which].value == pytest.approx(value, rel=1e-3), which
+
+
+@every_exercise
+def test_numbers_are_confirmed_for_other_settings(chapter, name):
+    assert answers(chapter, name, **OTHERS[chapter, name])
+
+
+def written(answer, times=1):
+    return f"{answer.name} = {times * answer.value:.4e} {answer.unit if answer.unit != '1' else ''}"
+
+
+@every_exercise
+def test_answers_are_marked(chapter, name, tmp_path, capsys):
+    found = answers(chapter, name)
+    lines = {x: written(a) for x, a in found.items()}
+    file = tmp_path / "answer.md"
+
+    def marked(answer):
+        file.write_text("\n".join(answer.values()), "utf-8")
+        capsys.readouterr()
+        code = main(["mark", f"{CHAPTERS / chapter}/", str(file), "--exercise", name])
+        return code, " ".join(capsys.readouterr().out.split())
+
+    code, told = marked(lines)
+    assert code == 0, told
+    assert f"all {len(lines)} numbers are right" in told
+    for x, a in found.items():
+        code, told = marked(lines | {x: written(a, 2)})
+        assert code == 1
+        assert "off by a factor 2" in told, x
+
+
+def test_the_symbols_stand_with_the_numbers(capsys):
+    assert main(["exercise", f"{CHAPTERS / 'kepler'}/", "seasons"]) == 0
+    shown = capsys.readouterr().out
+    assert "η − ε sin η = nt  (2.3)" in shown
+    assert "0.489369" in shown
+
+
+def test_a_derivation_of_a_chapter_is_marked(tmp_path, capsys):
+    file = tmp_path / "answer.md"
+    marked = ["mark", f"{CHAPTERS / 'coupled'}/", str(file), "--from", "2.2", "--to", "2.4"]
+    for right, code in ((r"\frac{2D}m", 0), (r"\frac{D}m", 1)):
+        file.write_text(rf"$$\kappa = \frac gl + {right}$$", "utf-8")
+        assert main(marked) == code, capsys.readouterr().out

@@ -1,0 +1,152 @@
+"""Figures of the chapters: on their pages, of their parameters, and true to their equations."""
+
+import importlib
+import math
+import re
+
+import matplotlib
+import numpy as np
+import pytest
+
+from rigidtop.collection import load
+from rigidtop.collection.chapters import CHAPTERS, chapters
+from rigidtop.collection.folder import module_name
+from rigidtop.errors import RigidtopError
+from rigidtop.figures.style import STYLE
+from rigidtop.report import tex_lines
+
+COLLECTIONS = {name: load(CHAPTERS / name) for name in chapters()}
+FIGURES = [(name, each) for name, found in COLLECTIONS.items() for each in found.figures]
+every_figure = pytest.mark.parametrize(
+    "drawing", [each for _, each in FIGURES], ids=[f"{name}-{each.name}" for name, each in FIGURES]
+)
+every_chapter = pytest.mark.parametrize("name", COLLECTIONS)
+
+
+def beside(name, module):
+    """A module of a chapter, as the chapter has loaded it."""
+    return importlib.import_module(f"{module_name(CHAPTERS / name)}.{module}")
+
+
+def content(canvas):
+    """What is drawn: lines, areas and words."""
+    shown = []
+    for axes in canvas.axes:
+        shown += [axes.get_xlim(), axes.get_ylim()]
+        shown += [line.get_xydata().tobytes() for line in axes.lines]
+        shown += [patch.get_path().vertices.tobytes() for patch in axes.patches]
+        shown += [(text.get_text(), *text.xy) for text in axes.texts]
+    return shown
+
+
+def drawn(drawing, **given):
+    with matplotlib.rc_context(STYLE):
+        return content(drawing.draw(**drawing.values(given)))
+
+
+@every_chapter
+def test_two_figures_stand_on_the_pages_and_are_spoken_of(name):
+    pages = "".join(page.read_text("utf-8") for page in (CHAPTERS / name).glob("*.md"))
+    names = [each.name for each in COLLECTIONS[name].figures]
+    assert len(names) >= 2
+    assert sorted(re.findall(r"^!\[.+\]\(#([\w-]+)\)$", pages, re.M)) == sorted(names)
+    assert {*re.findall(r"\[[Tt]he figure\]\(#figure-([\w-]+)\)", pages)} == {*names}
+
+
+@every_figure
+def test_every_parameter_changes_the_picture_and_its_caption(drawing):
+    picture, caption = drawn(drawing), drawing.caption(**drawing.values())
+    assert drawn(drawing) == picture
+    words = drawing.alternative(**drawing.values())
+    assert words.isascii()
+    assert len(words) > 80
+    assert tex_lines.rich((caption,))
+    for parameter in drawing.parameters:
+        given = {parameter.name: 0.9 * parameter.default}
+        assert drawn(drawing, **given) != picture, parameter.name
+        assert drawing.caption(**drawing.values(given)) != caption, parameter.name
+
+
+@every_figure
+def test_what_is_legal_is_drawn_or_refused_in_one_line(drawing):
+    for parameter in drawing.parameters:
+        for far in (parameter.default / 30, 30 * parameter.default):
+            value = min(max(far, parameter.least), parameter.most)
+            refusal = ""
+            try:
+                assert drawn(drawing, **{parameter.name: value})
+            except RigidtopError as error:
+                refusal = str(error)
+            assert "\n" not in refusal
+
+
+@every_chapter
+def test_one_moves(name):
+    moving = [each for each in COLLECTIONS[name].figures if each.animate is not None]
+    assert moving
+    for each in moving:
+        with matplotlib.rc_context(STYLE):
+            film = each.animate(**each.values())
+            frames = []
+            for share in (0.0, 0.3, 0.7):
+                film.show(share)
+                frames.append(content(film.canvas))
+        assert frames[0] != frames[1] != frames[2] != frames[0]
+
+
+# --- What they show ------------------------------------------------------------------------------
+
+
+def area(x, y):
+    return abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) / 2
+
+
+def test_orbits_are_those_of_the_page():
+    figures, orbits = beside("kepler", "figures"), beside("kepler", "orbits")
+    for epsilon in (0.0, 0.6, 1.0, 1.5):
+        r, phi = orbits.orbit(1.0, epsilon).integrate(np.linspace(-2.0, 2.0, 41)).q.T
+        np.testing.assert_allclose(r * (1 + epsilon * np.cos(phi)), 1.0, rtol=1e-8)
+    areas = [area(*figures.sector(0.6, start, 1 / 12)) for start in (-1 / 24, 0.2, 11 / 24)]
+    ellipse = math.pi / (1 - 0.6**2) ** 1.5
+    np.testing.assert_allclose(areas, ellipse / 12, rtol=1e-3)
+
+
+def test_beats_stay_between_what_changes_slowly():
+    figures = beside("coupled", "figures")
+    first, second = figures.frequencies(0.15)
+    t = np.linspace(0.0, 40.0, 801)
+    run = figures.let_go((1e-3, 0.0), 0.15, t) / 1e-3
+    slow, fast = (second - first) * t / 2, (second + first) * t / 2
+    np.testing.assert_allclose(run[:, 0], np.cos(slow) * np.cos(fast), atol=1e-5)
+    np.testing.assert_allclose(run[:, 1], np.sin(slow) * np.sin(fast), atol=1e-5)
+    for sign in (1, -1):
+        mode = figures.let_go((1e-3, sign * 1e-3), 0.15, t)
+        np.testing.assert_allclose(mode[:, 1], sign * mode[:, 0], atol=1e-9)
+
+
+def test_the_rosette_goes_through_the_middle_or_misses_it():
+    figures = beside("foucault", "figures")
+    assert np.hypot(*figures.path(9.0, 1.0, held=False)).min() < 0.01
+    # An ellipse whose axes are as Ω to ω₁, for those who turn back.
+    assert np.hypot(*figures.path(9.0, 1.0, held=True)).min() == pytest.approx(1 / 9, rel=1e-3)
+    x, y = figures.path(8.0, 1 / 8, held=False)
+    assert math.atan2(y[-1], x[-1]) == pytest.approx(-math.pi / 4, abs=1e-6)  # clockwise
+
+
+def test_the_ball_keeps_its_distance_and_its_path_on_the_table_closes():
+    figures = beside("rolling", "figures")
+    times = np.linspace(0.0, 14.0, 301)
+    run = figures.places(0.2, 0.1, math.pi, times)
+    radius = 0.35 / math.pi
+    np.testing.assert_allclose(np.hypot(run[:, 0] - 0.2, run[:, 1] - radius), radius, rtol=1e-8)
+    path = figures._on_table(run, math.pi * times)
+    np.testing.assert_allclose(path[-1], path[0], atol=1e-8)
+    assert np.abs(path[150] - path[0]).max() > 0.1
+
+
+def test_a_wheel_has_the_share_of_the_acceleration_that_its_caption_says():
+    rolling = beside("rolling", "rolling")
+    for ratio in (1.0, 0.5, 0.4):
+        run = rolling.down(ratio, 0.3, 2.0, 0.1, 9.81).integrate([1.0])
+        assert run.qdot[0, 0] == pytest.approx(9.81 * math.sin(0.3) / (1 + ratio), rel=1e-9)
+        assert run.q[0, 0] == pytest.approx(0.1 * run.q[0, 1], rel=1e-9)
