@@ -65,12 +65,15 @@ def axes() -> dict[Expr, Expr]:
 
 @claim(
     "euler-zxz",
-    "With $φₓ = φ + π/2$ and $ψₓ = ψ − π/2$ the turns $z–x′–z″$ lead to the same attitude.",
+    r"With $\phi_x = \phi + \pi/2$ and $\psi_x = \psi - \pi/2$ the turns $z$–$x'$–$z''$ lead to "
+    "the same attitude.",
 )
 def attitude() -> Iterator[Evidence]:
-    """$Ry(θ)$ is $Rx(θ)$ between quarter turns about $z$, which join the turns by $φ$ and by $ψ$.
+    r"""$R_y(\theta)$ is $R_x(\theta)$ between quarter turns about $z$, which join the turns by
+    $\phi$ and by $\psi$.
 
-    The first matrix is $Rz(φₓ) Rx(θ) Rz(ψₓ)$; the engine has $Rz(φ) Ry(θ) Rz(ψ)$.
+    The first matrix is $R_z(\phi_x) R_x(\theta) R_z(\psi_x)$; the engine has
+    $R_z(\phi) R_y(\theta) R_z(\psi)$.
     """
     with as_printed():
         printed = Matrix(
@@ -98,25 +101,32 @@ def attitude() -> Iterator[Evidence]:
     )
 
 
-@claim("nodes-zxz", "The axes after the second turn change places: $e₁ₓ = e₂′$ and $e₂ₓ = −e₁′$.")
+@claim(
+    "nodes-zxz",
+    r"The axes after the second turn change places: $\mathbf e_{1x} = \mathbf e_2'$ and "
+    r"$\mathbf e_{2x} = -\mathbf e_1'$.",
+)
 def nodes() -> Iterator[Evidence]:
-    """The line of nodes is $e₂′$ in one sequence and the first axis in the other; $e₃$ is the
-    same."""
+    r"""The line of nodes is $\mathbf e_2'$ in one sequence and the first axis in the other;
+    $\mathbf e_3$ is the same."""
     with as_printed():
         along, across = Equation(e1x, s.e2p), Equation(e2x, -s.e1p)
         vertical = Equation(s.zhat, cos(s.theta) * s.e3 + sin(s.theta) * e2x)
     yield Formal(along, axes(), reason="The line of nodes.")
-    yield Formal(across, axes(), reason="The axis across it and $e₃$.")
+    yield Formal(across, axes(), reason=r"The axis across it and $\mathbf e_3$.")
     yield Formal(
         vertical, {**axes(), s.zhat: Z_AXIS}, reason="The vertical has no part along the nodes."
     )
 
 
 @claim(
-    "omega-zxz", "$𝛚$ along the line of nodes, across it and along $e₃$, and along the body's axes."
+    "omega-zxz",
+    r"$\boldsymbol\omega$ along the line of nodes, across it and along $\mathbf e_3$, and along "
+    "the body's axes.",
 )
 def rotational_velocity() -> Iterator[Evidence]:
-    """The engine takes $ω$ from $ṘRᵀ$ and $RᵀṘ$ of the notes' angles; the rates are the same."""
+    r"""The engine takes $\omega$ from $\dot RR^T$ and $R^T\dot R$ of the notes' angles; the
+    rates are the same."""
     with as_printed():
         along_nodes = Equation(
             s.omega_vec,
@@ -140,13 +150,14 @@ def rotational_velocity() -> Iterator[Evidence]:
     yield Formal(
         along_body,
         {s.omega_vec: euler_omega("body"), **ANGLES},
-        reason="The components along $e₁$, $e₂$ and $e₃$.",
+        reason=r"The components along $\mathbf e_1$, $\mathbf e_2$ and $\mathbf e_3$.",
     )
 
 
-@claim("momentum-zxz", "$𝐋$ along the line of nodes, across it and along $e₃$.")
+@claim("momentum-zxz", r"$\mathbf L$ along the line of nodes, across it and along $\mathbf e_3$.")
 def momentum() -> Iterator[Evidence]:
-    """(3.43) goes over; the engine has $𝐋 = I𝛚$ along $e₁′$, $e₂′$ and $e₃$, turned into space."""
+    r"""(3.43) goes over; the engine has $\mathbf L = I\boldsymbol\omega$ along $\mathbf e_1'$,
+    $\mathbf e_2'$ and $\mathbf e_3$, turned into space."""
     with as_printed():
         printed = Equation(
             s.L_vec,
@@ -158,10 +169,10 @@ def momentum() -> Iterator[Evidence]:
     yield Formal(printed, {s.L_vec: space, **axes()}, (SYMMETRIC,))
 
 
-@claim("lagrangian-zxz", "The Lagrangian (3.53) has the same form in the angles $z–x′–z″$.")
+@claim("lagrangian-zxz", "The Lagrangian (3.53) has the same form in the angles $z$–$x'$–$z''$.")
 def lagrangian() -> Iterator[Evidence]:
-    """$T$ from $RᵀṘ$ with $R = Rz(φₓ) Rx(θ) Rz(ψₓ)$, for any three moments, less $V$, at height $R
-    cos θ$."""
+    r"""$T$ from $R^T\dot R$ with $R = R_z(\phi_x) R_x(\theta) R_z(\psi_x)$, for any three
+    moments, less $V$, at height $R \cos\theta$."""
     turns = rotation_z(phi_x) * rotation_x(s.theta) * rotation_z(psi_x)
     rates = {s.theta: s.thetadot, phi_x: s.phidot, psi_x: s.psidot}
     omega = omega_body(turns, rates)
@@ -180,7 +191,7 @@ def lagrangian() -> Iterator[Evidence]:
 page = Page(
     "3.3",
     "Euler angles of other books",
-    "Three turns $z–x′–z″$, as Goldstein, Landau and Lifshitz and Morin have them.",
+    "Three turns $z$–$x'$–$z''$, as Goldstein, Landau and Lifshitz and Morin have them.",
     (attitude, nodes, rotational_velocity, momentum, lagrangian),
 )
 

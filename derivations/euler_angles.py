@@ -56,20 +56,22 @@ def sequence() -> dict[Expr, Expr]:
 
 @claim(
     "euler-sequence",
-    "Turn about $ẑ$ by $φ$, about $e₂′$ by $θ$, about $e₃$ by $ψ$; $e₃$ has the polar angle $θ$ "
-    "and the azimuth of $cos φ x̂ + sin φ ŷ$.",
+    r"Turn about $\hat{\mathbf z}$ by $\phi$, about $\mathbf e_2'$ by $\theta$, about "
+    r"$\mathbf e_3$ by $\psi$; $\mathbf e_3$ has the polar angle $\theta$ and the azimuth of "
+    r"$\cos\phi \hat{\mathbf x} + \sin\phi \hat{\mathbf y}$.",
 )
 def euler_sequence() -> Iterator[Evidence]:
-    """Rodrigues' formula about each axis in turn; the product is $Rz(φ) Ry(θ) Rz(ψ)$."""
+    r"""Rodrigues' formula about each axis in turn; the product is
+    $R_z(\phi) R_y(\theta) R_z(\psi)$."""
     turned = sequence()
     meaning = {**turned, **SPACE_AXES}
     yield Formal(printed.lines("euler-sequence")[0], meaning)
     yield Formal(Equation(s.O_matrix, euler_matrix()), turned)
 
 
-@claim("3.41", "$𝛚$ is the sum of the three turns' rotational velocities.")
+@claim("3.41", r"$\boldsymbol\omega$ is the sum of the three turns' rotational velocities.")
 def omega_sum() -> Iterator[Evidence]:
-    """$ω$ read off $ṘRᵀ$, with $R$ the product of the three turns."""
+    r"""$\omega$ read off $\dot RR^T$, with $R$ the product of the three turns."""
     turned = sequence()
     yield Check(
         printed("3.41"),
@@ -77,24 +79,29 @@ def omega_sum() -> Iterator[Evidence]:
     )
 
 
-@claim("z-hat", "$ẑ = cos θ e₃ − sin θ e₁′$.")
+@claim("z-hat", r"$\hat{\mathbf z} = \cos\theta \mathbf e_3 - \sin\theta \mathbf e_1'$.")
 def vertical() -> Iterator[Evidence]:
-    """$ẑ$ resolved along $e₁′$, $e₂′$ and $e₃$, the columns of $Rz(φ) Ry(θ)$."""
+    r"""$\hat{\mathbf z}$ resolved along $\mathbf e_1'$, $\mathbf e_2'$ and $\mathbf e_3$, the
+    columns of $R_z(\phi) R_y(\theta)$."""
     axes = primed_matrix()
     yield Check(printed("z-hat"), {s.zhat: Z, s.e1p: axes[:, 0], s.e3: axes[:, 2]})
 
 
-@claim("3.42", "$𝛚$ along the axes after two turns.")
+@claim("3.42", r"$\boldsymbol\omega$ along the axes after two turns.")
 def omega_primed() -> Iterator[Evidence]:
-    """$ẑ$ of the exercise put into (3.41); the engine resolves $ω$ of $ṘRᵀ$ along the same axes."""
+    r"""$\hat{\mathbf z}$ of the exercise put into (3.41); the engine resolves $\omega$ of
+    $\dot RR^T$ along the same axes."""
     omega = euler_omega("primed")
     yield Check(printed("3.42"), {s.omega_vec: Matrix(omega), **PRIMED, s.omega1p: omega[0]})
 
 
-@claim("skip-last-step", "For $λ₁ = λ₂$ the last rotation is not needed to write $𝐋$ and $T$.")
+@claim(
+    "skip-last-step",
+    r"For $\lambda_1 = \lambda_2$ the last rotation is not needed to write $\mathbf L$ and $T$.",
+)
 def skip_last_step() -> Iterator[Evidence]:
-    """A turn about $e₃$ leaves $diag(λ₁, λ₁, λ₃)$ as it is, so $ψ$ drops out of $L$ and $T$; $ψ̇$
-    does not."""
+    r"""A turn about $\mathbf e_3$ leaves $\text{diag}(\lambda_1, \lambda_1, \lambda_3)$ as it
+    is, so $\psi$ drops out of $L$ and $T$; $\dot\psi$ does not."""
     turn = rotation_z(s.psi)
     yield Formal(
         printed(r"O\Lambda O^T = \Lambda"),
@@ -105,24 +112,27 @@ def skip_last_step() -> Iterator[Evidence]:
     yield Formal(turned, {s.T: top.kinetic_energy()}, (SYMMETRIC,))
 
 
-@claim("3.43", "$𝐋$ along the axes after two turns.")
+@claim("3.43", r"$\mathbf L$ along the axes after two turns.")
 def momentum() -> Iterator[Evidence]:
-    """$Lₖ = λₖωₖ$ along $e₁′$, $e₂′$ and $e₃$, which are principal axes when $λ₂ = λ₁$."""
+    r"""$L_k = \lambda_k\omega_k$ along $\mathbf e_1'$, $\mathbf e_2'$ and $\mathbf e_3$, which
+    are principal axes when $\lambda_2 = \lambda_1$."""
     components = momentum_primed()
     yield Check(printed("3.43"), {s.L_vec: components, **PRIMED, s.L3: components[2]}, (SYMMETRIC,))
 
 
 @claim("3.44", "Kinetic energy in Euler angles.")
 def kinetic() -> Iterator[Evidence]:
-    """$½𝛚·𝐋$ (3.32) has one value in all frames; the engine takes it in the body frame."""
+    r"""$\tfrac12\boldsymbol\omega\cdot\mathbf L$ (3.32) has one value in all frames; the engine
+    takes it in the body frame."""
     yield Check(printed("3.44"), {s.T: top.kinetic_energy()}, (SYMMETRIC,))
 
 
-@claim("3.45", "$φ̇$ from $L_z$ and $L₃$.")
+@claim("3.45", r"$\dot\phi$ from $L_z$ and $L_3$.")
 def azimuthal_rate() -> Iterator[Evidence]:
-    """$L_z = ẑ·𝐋$ from (3.43) and the exercise, solved for $φ̇$: $λ₁ sin²θ$ is divided out.
+    r"""$L_z = \hat{\mathbf z}\cdot\mathbf L$ from (3.43) and the exercise, solved for $\dot\phi$:
+    $\lambda_1 \sin^2\theta$ is divided out.
 
-    Upright, $L_z = L₃$ whatever $φ̇$ is, and the right side is 0/0.
+    Upright, $L_z = L_3$ whatever $\dot\phi$ is, and the right side is 0/0.
     """
     yield Check(printed("3.45"), momentum_along_axes(), (SYMMETRIC, TILTED))
 
@@ -130,7 +140,7 @@ def azimuthal_rate() -> Iterator[Evidence]:
 page = Page(
     "3.3",
     "Euler angles",
-    "Three turns $z–y′–z″$ that bring the space frame to the body frame.",
+    "Three turns $z$–$y'$–$z''$ that bring the space frame to the body frame.",
     (
         euler_sequence,
         omega_sum,

@@ -35,9 +35,14 @@ def rates(torque: Matrix | None = None) -> dict[Expr, Expr]:
     return dict(zip(RATES, body_accelerations(torque), strict=True))
 
 
-@claim("3.35", "The rate of $𝐋$ in space is its rate in the body plus $𝛚 × 𝐋$, and vanishes.")
+@claim(
+    "3.35",
+    r"The rate of $\mathbf L$ in space is its rate in the body plus "
+    r"$\boldsymbol\omega \times \mathbf L$, and vanishes.",
+)
 def transport() -> Iterator[Evidence]:
-    """The transport theorem (2.87): differentiate $L′ = RᵀL$ and read $ω$ off $RᵀṘ$."""
+    r"""The transport theorem (2.87): differentiate $L' = R^TL$ and read $\omega$ off
+    $R^T\dot R$."""
     line = printed("3.35")
     attitude = euler_matrix()
     space = Matrix([s.L_x, s.L_y, s.L_z])
@@ -58,24 +63,25 @@ def transport() -> Iterator[Evidence]:
 
 @claim("3.36", "Euler's equations for the case of no external torque.")
 def euler_equations() -> Iterator[Evidence]:
-    """$Lₖ = λₖωₖ$ put into (3.35), component by component."""
+    r"""$L_k = \lambda_k\omega_k$ put into (3.35), component by component."""
     for line in printed.lines("3.36"):
         yield Check(line, rates())
 
 
 @claim("euler-with-torque", "There is a more complete version with external torque.")
 def with_torque() -> Iterator[Evidence]:
-    """(3.35) with $𝐍$ in place of 0; $𝐍$ has to be resolved along the body axes.
+    r"""(3.35) with $\mathbf N$ in place of 0; $\mathbf N$ has to be resolved along the body axes.
 
-    For gravity that is not cumbersome: $ẑ$ in body components obeys $γ̇ = γ × 𝛚$.
+    For gravity that is not cumbersome: $\hat{\mathbf z}$ in body components obeys $\dot\gamma =
+    \gamma \times \boldsymbol\omega$.
     """
     for line in printed.lines("euler-with-torque")[-3:]:
         yield Formal(line, rates(Matrix([s.N1, s.N2, s.N3])))
 
 
-@claim("principal-stays", "$𝛚$ along a principal axis stays constant.")
+@claim("principal-stays", r"$\boldsymbol\omega$ along a principal axis stays constant.")
 def principal_stays() -> Iterator[Evidence]:
-    """Two of the three $ωₖ$ vanish, so every product on the right of (3.36) does."""
+    r"""Two of the three $\omega_k$ vanish, so every product on the right of (3.36) does."""
     for line in printed.lines("principal-stays")[:3]:
         yield Formal(line, rates())
     for axis in range(3):
@@ -84,19 +90,22 @@ def principal_stays() -> Iterator[Evidence]:
             printed(CONSTANT),
             rates(),
             tuple(
-                Assumption(Eq(w, 0), f"$𝛚$ lies along $e{'₁₂₃'[axis]}$", stated=True)
+                Assumption(
+                    Eq(w, 0), rf"$\boldsymbol\omega$ lies along $\mathbf e_{axis + 1}$", stated=True
+                )
                 for w in others
             ),
         )
 
 
-@claim("off-axis-changes", "$𝛚$ that is not along a principal axis must change.")
+@claim("off-axis-changes", r"$\boldsymbol\omega$ that is not along a principal axis must change.")
 def off_axis() -> Iterator[Evidence]:
-    """Two components of $𝛚$ differ from zero, so one right side of (3.36) does.
+    r"""Two components of $\boldsymbol\omega$ differ from zero, so one right side of (3.36) does.
 
-    It does if the two moments that go with them differ. Of equal moments $λ₁ = λ₂$ every axis in
-    the plane of $e₁$ and $e₂$ is a principal axis, and $𝛚$ rests on it. Without naming axes: $𝛚$
-    rests where $𝛚 × 𝐋 = 0$, that is along any eigenvector of $I$.
+    It does if the two moments that go with them differ. Of equal moments $\lambda_1 = \lambda_2$
+    every axis in the plane of $\mathbf e_1$ and $\mathbf e_2$ is a principal axis, and
+    $\boldsymbol\omega$ rests on it. Without naming axes: $\boldsymbol\omega$ rests where
+    $\boldsymbol\omega \times \mathbf L = 0$, that is along any eigenvector of $I$.
     """
     for line in printed.lines("principal-stays")[:3]:
         yield Formal(line, rates())
@@ -115,7 +124,10 @@ def off_axis() -> Iterator[Evidence]:
             r" = \mathbf L\times\boldsymbol\omega"
         ),
         {**rates(), s.L_vec: angular_momentum(), s.omega_vec: Matrix(OMEGA)},
-        reason="Without naming axes: $𝛚$ rests only where $𝐋 ∥ 𝛚$, along an eigenvector of $I$.",
+        reason=(
+            r"Without naming axes: $\boldsymbol\omega$ rests only where "
+            r"$\mathbf L \parallel \boldsymbol\omega$, along an eigenvector of $I$."
+        ),
     )
 
 
@@ -124,13 +136,15 @@ def off_axis() -> Iterator[Evidence]:
     "Rotation is stable about the axes of largest and smallest moment and unstable otherwise.",
 )
 def axis_stability() -> Iterator[Evidence]:
-    """(3.36) linearised about $𝛚 = ω₃e₃$: a deviation grows as $exp(σt)$ with the $σ²$ below.
+    r"""(3.36) linearised about $\boldsymbol\omega = \omega_3\mathbf e_3$: a deviation grows as
+    $\exp(\sigma t)$ with the $\sigma^2$ below.
 
-    Beyond the linear order $2λ₃T − L²$ is conserved and, about an extreme axis, a definite square
-    of the deviation: that is stability for all times, if nothing inside takes energy; friction
-    inside leads from the axis of the smallest moment to that of the largest. Equal moments are not
-    covered: with $λ₁ = λ₂ ≠ λ₃$ the axis $e₁$ has an extreme moment and is left all the same, and
-    with three every axis stays and none is returned to.
+    Beyond the linear order $2\lambda_3T - L^2$ is conserved and, about an extreme axis, a definite
+    square of the deviation: that is stability for all times, if nothing inside takes energy;
+    friction inside leads from the axis of the smallest moment to that of the largest. Equal moments
+    are not covered: with $\lambda_1 = \lambda_2 \neq \lambda_3$ the axis $\mathbf e_1$ has an
+    extreme moment and is left all the same, and with three every axis stays and none is returned
+    to.
     """
     from . import evidence
 
@@ -154,13 +168,13 @@ def axis_stability() -> Iterator[Evidence]:
         return tuple(Assumption(condition, words, stated=True) for condition in conditions)
 
     largest = ordered(
-        "$λ₃$ is the largest moment", Ge(s.lambda3, s.lambda1), Ge(s.lambda3, s.lambda2)
+        r"$\lambda_3$ is the largest moment", Ge(s.lambda3, s.lambda1), Ge(s.lambda3, s.lambda2)
     )
     smallest = ordered(
-        "$λ₃$ is the smallest moment", Le(s.lambda3, s.lambda1), Le(s.lambda3, s.lambda2)
+        r"$\lambda_3$ is the smallest moment", Le(s.lambda3, s.lambda1), Le(s.lambda3, s.lambda2)
     )
     between = ordered(
-        "$λ₃$ is the middle moment", Ge(s.lambda3, s.lambda1), Le(s.lambda3, s.lambda2)
+        r"$\lambda_3$ is the middle moment", Ge(s.lambda3, s.lambda1), Le(s.lambda3, s.lambda2)
     )
     extreme = (*unequal, spins)
     yield Formal(stable, meaning, (*largest, *extreme))
@@ -182,7 +196,7 @@ def axis_stability() -> Iterator[Evidence]:
         (Assumption(Eq(s.damping, 0), "no friction inside takes energy"),),
     )
     yield Remark(momentum, inside, reason="With friction $L$ is kept all the same,")
-    yield Remark(with_ball, inside, reason="but $2λ₃T − L²$, with the ball in it,")
+    yield Remark(with_ball, inside, reason=r"but $2\lambda_3T - L^2$, with the ball in it,")
     yield Remark(
         printed(r"\dot T_{\text{tot}} = -c\boldsymbol\zeta\cdot\boldsymbol\zeta"),
         inside,
@@ -196,7 +210,7 @@ def axis_stability() -> Iterator[Evidence]:
             Assumption(Eq(moment, s.lambda1), "three equal moments")
             for moment in (s.lambda2, s.lambda3)
         ),
-        "With three equal moments no $ω$ is left, and none returned to.",
+        r"With three equal moments no $\omega$ is left, and none returned to.",
     )
     yield from evidence.axis_rates()
     yield from evidence.axis_with_friction()
@@ -205,7 +219,7 @@ def axis_stability() -> Iterator[Evidence]:
 page = Page(
     "3.2.2",
     "Euler's equations",
-    "The rate of change of $𝛚$ in the frame of the principal axes.",
+    r"The rate of change of $\boldsymbol\omega$ in the frame of the principal axes.",
     (
         transport,
         euler_equations,

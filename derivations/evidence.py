@@ -46,7 +46,9 @@ def axis_rates() -> Iterator[Measure]:
         shape = np.cosh if growth > 0 else np.cos
         expected = kick * shape(np.sqrt(abs(growth)) * times)
         error = float(np.max(np.abs(path - expected)) / np.max(np.abs(expected)))
-        yield Measure(f"$ω$ disturbed by $10⁻⁶$ about the axis of {name} moment", error, 1e-6)
+        yield Measure(
+            rf"$\omega$ disturbed by $10^{{-6}}$ about the axis of {name} moment", error, 1e-6
+        )
 
 
 def axis_with_friction() -> Iterator[Measure]:
@@ -62,7 +64,9 @@ def axis_with_friction() -> Iterator[Measure]:
     off = float(np.linalg.norm(run.momentum[-1, :2])) / size
     yield Measure("$L$ at last off the axis of largest moment, relative", off, 2 * NEAR)
     more = abs(float(run.energy[-1] / (size**2 / (2 * moments[2]))) - 1)
-    yield Measure("$T$ at last against $L²/(2λ₃)$ of that axis, relative", more, 2 * NEAR**2)
+    yield Measure(
+        r"$T$ at last against $L^2/(2\lambda_3)$ of that axis, relative", more, 2 * NEAR**2
+    )
 
 
 LAMBDA_1 = 1.3
@@ -85,7 +89,7 @@ def body_cone() -> Iterator[Measure]:
             axis=1,
         )
         error = float(np.max(np.abs(omega - printed)))
-        yield Measure(f"$ω(t)$ on the body cone, {name}, 50 s (rad/s)", error, 1e-10)
+        yield Measure(rf"$\omega(t)$ on the body cone, {name}, 50 s (rad/s)", error, 1e-10)
 
 
 def space_cone() -> Iterator[Measure]:
@@ -105,7 +109,11 @@ def space_cone() -> Iterator[Measure]:
         + np.outer(np.sin(angle), sideways)
     )
     error = float(np.max(np.abs(path.e3 - turned)))
-    yield Measure("$e₃(t)$ on its cone about $𝐋$ at the rate $L/λ₁$, 20 s", error, 1e-10)
+    yield Measure(
+        r"$\mathbf e_3(t)$ on its cone about $\mathbf L$ at the rate $L/\lambda_1$, 20 s",
+        error,
+        1e-10,
+    )
 
 
 def mean_precession() -> Iterator[Measure]:
@@ -116,7 +124,9 @@ def mean_precession() -> Iterator[Measure]:
     periods = 20 * 2 * pi * TOP.lambda1 / (TOP.lambda3 * spin)
     path = TOP.motion(theta=THETA, omega3=spin).integrate([periods], **LOOSE)
     error = abs(float(path.phi[0]) / (rate * periods) - 1)
-    yield Measure("mean $φ̇$ of a top released at rest, 20 nutations, relative", error, 5 * epsilon)
+    yield Measure(
+        r"mean $\dot\phi$ of a top released at rest, 20 nutations, relative", error, 5 * epsilon
+    )
 
 
 def parallel() -> Iterator[Measure]:
@@ -132,7 +142,10 @@ def parallel() -> Iterator[Measure]:
     across = 2 * TOP.M * TOP.g * TOP.R * sin(THETA) / (TOP.lambda3 * spin)
     bound = abs(TOP.lambda1 - TOP.lambda3) * across / (TOP.lambda3 * spin)
     yield Measure(
-        "angle between $𝐋$ and $𝛚$, released with $𝛚$ along $e₃$", float(sine.max()), 1.1 * bound
+        r"angle between $\mathbf L$ and $\boldsymbol\omega$, released with $\boldsymbol\omega$ "
+        r"along $\mathbf e_3$",
+        float(sine.max()),
+        1.1 * bound,
     )
 
 
@@ -147,12 +160,12 @@ def steady(fast: bool) -> tuple[float, TopTrajectory]:
 
 def steady_precession() -> Iterator[Measure]:
     """Both roots of (3.57) as motions: θ stays, φ grows as Ωt."""
-    for name, fast in (("Ω₋", False), ("Ω₊", True)):
+    for name, fast in ((r"\Omega_-", False), (r"\Omega_+", True)):
         rate, path = steady(fast)
         held = float(np.max(np.abs(path.theta - THETA)))
-        yield Measure(f"$θ$ held over 100 turns at ${name}$ (rad)", held, 1e-9)
+        yield Measure(rf"$\theta$ held over 100 turns at ${name}$ (rad)", held, 1e-9)
         lag = float(np.max(np.abs(path.phi - rate * path.t)))
-        yield Measure(f"$φ = {name} t$ over 100 turns (rad)", lag, 1e-7)
+        yield Measure(rf"$\phi = {name} t$ over 100 turns (rad)", lag, 1e-7)
 
 
 def conserved() -> Iterator[Measure]:
@@ -160,7 +173,7 @@ def conserved() -> Iterator[Measure]:
     motion = TOP.motion(theta=THETA, theta_dot=0.1, phi_dot=1.0, omega3=SPIN)
     drift = motion.integrate(np.linspace(0, 100, 101)).drift()
     for name, value in drift.items():
-        shown = f"${name}$" if name.startswith("p_") else name
+        shown = rf"$p_\{name[2:]}$" if name.startswith("p_") else name
         yield Measure(f"drift of {shown} over 100 s, relative", value, 1e-9)
 
 
@@ -172,7 +185,10 @@ def fast_root_is_free() -> Iterator[Measure]:
     free = float(np.linalg.norm(path.angular_momentum[0])) / TOP.lambda1
     epsilon = TOP.lambda1 * TOP.M * TOP.g * TOP.R * cos(THETA) / (TOP.lambda3 * spin) ** 2
     yield Measure(
-        "$Ω₊$ against $L/λ₁$ at $ω₃ = 1000$ rad/s, relative", abs(fast / free - 1), 2 * epsilon
+        r"$\Omega_+$ against $L/\lambda_1$ at $\omega_3 = 1000$ rad/s, "
+        "relative",
+        abs(fast / free - 1),
+        2 * epsilon,
     )
 
 
@@ -192,7 +208,9 @@ def nutation() -> Iterator[Measure]:
     )
     expected = kick / frequency * np.sin(frequency * times)
     error = float(np.max(np.abs(path.theta - THETA - expected)) * frequency / kick)
-    yield Measure("$θ(t)$ of a small nutation at $√(U″/λ₁)$, three periods", error, 1e-3)
+    yield Measure(
+        r"$\theta(t)$ of a small nutation at $\sqrt{U''/\lambda_1}$, three periods", error, 1e-3
+    )
     spin = 100.0
     epsilon = TOP.lambda1 * TOP.M * TOP.g * TOP.R / (TOP.lambda3 * spin) ** 2
     released = TOP.motion(theta=THETA, phi_dot=0.0, omega3=spin)
@@ -200,7 +218,8 @@ def nutation() -> Iterator[Measure]:
     amplitude = float(np.max(swing) - np.min(swing)) / 2
     predicted = epsilon * sin(THETA)
     yield Measure(
-        "amplitude $λ₁MgR sin θ/(λ₃ω₃)²$ of a top released at rest, relative",
+        r"amplitude $\lambda_1MgR \sin\theta/(\lambda_3\omega_3)^2$ of a top released at rest, "
+        "relative",
         abs(amplitude / predicted - 1),
         5 * epsilon,
     )
@@ -223,4 +242,4 @@ def waves_cusps_loops() -> Iterator[Measure]:
         rests = bool(np.abs(rates).min() < 1e-6)
         seen = "loops" if turns_back else "cusps" if rests else "waves"
         wrong = (predicted != name) + (seen != name)
-        yield Measure(f"{name}: by $θ₀$ and by the sign of $φ̇$", float(wrong), 0.0)
+        yield Measure(rf"{name}: by $\theta_0$ and by the sign of $\dot\phi$", float(wrong), 0.0)

@@ -37,9 +37,13 @@ def newton_rate() -> Matrix:
     return total_derivative(momentum, rates).expand()
 
 
-@claim("3.33", "In the space frame $𝐋 = I𝛚$ is conserved without external torque.")
+@claim(
+    "3.33",
+    r"In the space frame $\mathbf L = I\boldsymbol\omega$ is conserved without external torque.",
+)
 def conservation() -> Iterator[Evidence]:
-    """$𝐋̇ = 𝐍$ (1.20) with $𝐋 = I𝛚$ (3.26); the forces inside the body are central and cancel."""
+    r"""$\dot{\mathbf L} = \mathbf N$ (1.20) with $\mathbf L = I\boldsymbol\omega$ (3.26); the
+    forces inside the body are central and cancel."""
     line = printed("3.33")
     pairs = list(zip(MASSES, POSITIONS, strict=True))
     momentum = sum((m * r.cross(SPIN.cross(r)) for m, r in pairs), Matrix([0, 0, 0]))
@@ -53,7 +57,8 @@ def conservation() -> Iterator[Evidence]:
 
 @claim("inertia-full", "In the space frame all components of $I$ are nonzero.")
 def inertia_full() -> Iterator[Evidence]:
-    """$I = OΛOᵀ$ turns with the body, and its off-diagonal components pass through zero."""
+    r"""$I = O\Lambda O^T$ turns with the body, and its off-diagonal components pass through
+    zero."""
     tensor = reduce_trig(euler_matrix() * diag(*MOMENTS) * euler_matrix().T)
     yield Formal(printed(r"I_{xz} \neq 0"), {s.I_xz: tensor[0, 2]})
     yield Correction(
@@ -69,7 +74,8 @@ def inertia_full() -> Iterator[Evidence]:
 page = Page(
     "3.2",
     "Free precession",
-    "Without external torque $𝐋$ is constant in the space frame, where $I$ as a rule is not.",
+    r"Without external torque $\mathbf L$ is constant in the space frame, where $I$ as a rule is "
+    "not.",
     (conservation, inertia_full),
     text="free_precession",
 )

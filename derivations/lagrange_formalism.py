@@ -26,19 +26,24 @@ EXACT = {s.epsilon: top.smallness()} | {
 }
 FAST = Assumption(
     Eq(s.epsilon, 0),
-    "$ω₃$ very large: to leading order in $ε = λ₁MgR cos θ/(λ₃ω₃)²$",
+    r"$\omega_3$ very large: to leading order in $\varepsilon = \lambda_1MgR "
+    r"\cos\theta/(\lambda_3\omega_3)^2$",
     stated=True,
     otherwise=top.smallness(),
 )
-SPINNING = Assumption(Ne(s.omega3, 0), "the top spins about $e₃$", stated=True)
+SPINNING = Assumption(Ne(s.omega3, 0), r"the top spins about $\mathbf e_3$", stated=True)
 FORWARD = Assumption(
     Gt(s.omega3, 0),
-    "$ω₃$ counts positive: for $ω₃ < 0$ the two roots change places",
+    r"$\omega_3$ counts positive: for $\omega_3 < 0$ the two roots change places",
     stated=True,
 )
 HORIZONTAL = Assumption(Ne(cos(s.theta), 0), "the top is not horizontal, where there is one root")
 ON_AXIS = tuple(
-    Assumption(Eq(x, place), "the centre of mass lies on $e₃$, at $R$ from the pivot", stated=True)
+    Assumption(
+        Eq(x, place),
+        r"the centre of mass lies on $\mathbf e_3$, at $R$ from the pivot",
+        stated=True,
+    )
     for x, place in zip(top.CENTRE_OF_MASS, (0, 0, s.R), strict=True)
 )
 
@@ -49,52 +54,54 @@ def lagrangian() -> Iterator[Evidence]:
     yield Check(printed("3.53"), {s.Lagrangian: top.lagrangian()}, (SYMMETRIC, *ON_AXIS))
 
 
-@claim("3.54", "Equation of motion for $θ$.")
+@claim("3.54", r"Equation of motion for $\theta$.")
 def theta_equation() -> Iterator[Evidence]:
-    """Lagrange's equation of (3.53) for $θ$."""
+    r"""Lagrange's equation of (3.53) for $\theta$."""
     line = printed("3.54")
     yield Check(line, {s.thetaddot: top.symmetric_top_accelerations()[0]})
     yield Formal(line, {s.thetaddot: top.newton_euler_thetaddot()})  # without a Lagrangian
 
 
-@claim("3.55", "$p_φ$ is constant.")
+@claim("3.55", r"$p_\phi$ is constant.")
 def momentum_phi() -> Iterator[Evidence]:
-    """$φ$ does not enter (3.53), so $∂ℒ/∂φ̇$ is conserved."""
+    r"""$\phi$ does not enter (3.53), so $\partial\mathcal{L}/\partial\dot\phi$ is conserved."""
     yield Check(printed("3.55"), {s.p_phi: top.symmetric_momenta()[1], **CONSERVED})
 
 
-@claim("3.56", "$p_ψ$ is constant.")
+@claim("3.56", r"$p_\psi$ is constant.")
 def momentum_psi() -> Iterator[Evidence]:
-    """$ψ$ does not enter (3.53) either."""
+    r"""$\psi$ does not enter (3.53) either."""
     from . import evidence
 
     yield Check(printed("3.56"), {s.p_psi: top.symmetric_momenta()[2], **CONSERVED})
     yield from evidence.conserved()
 
 
-@claim("p-phi-is-Lz", "$p_φ$ is $L_z$.")
+@claim("p-phi-is-Lz", r"$p_\phi$ is $L_z$.")
 def p_phi_is_l_z() -> Iterator[Evidence]:
-    """$∂T/∂φ̇$ is $ẑ·𝐋$ for every body, since $φ$ turns the whole body about $ẑ$."""
+    r"""$\partial T/\partial\dot\phi$ is $\hat{\mathbf z}\cdot\mathbf L$ for every body, since
+    $\phi$ turns the whole body about $\hat{\mathbf z}$."""
     meaning = {s.p_phi: momenta(top.lagrangian(), top.RATES)[1], **momentum_along_axes()}
     formula = Equation(s.L_z, printed("3.55").sides[1])
     yield Formal(printed("p-phi-is-Lz"), meaning)
     yield Formal(formula, meaning, (replace(SYMMETRIC, words="a symmetric top has (3.55)"),))
 
 
-@claim("p-psi-is-L3", "$p_ψ$ is $L₃$.")
+@claim("p-psi-is-L3", r"$p_\psi$ is $L_3$.")
 def p_psi_is_l_3() -> Iterator[Evidence]:
-    """$∂T/∂ψ̇$ is $e₃·𝐋$ for every body; it is conserved if the body is symmetric about $e₃$."""
+    r"""$\partial T/\partial\dot\psi$ is $\mathbf e_3\cdot\mathbf L$ for every body; it is
+    conserved if the body is symmetric about $\mathbf e_3$."""
     meaning = {s.p_psi: momenta(top.lagrangian(), top.RATES)[2], **momentum_along_axes()}
     yield Formal(printed(r"p_\psi = L_3"), meaning)
 
 
-@claim("constant-rate", "Constant $θ$ implies constant $φ̇$.")
+@claim("constant-rate", r"Constant $\theta$ implies constant $\dot\phi$.")
 def constant_rate() -> Iterator[Evidence]:
-    """$ṗ_φ = cos θ ṗ_ψ$ at constant $θ$ is $λ₁ sin²θ φ̈ = 0$; upright, $φ̇$ and $ψ̇$ may do as
-    they like."""
+    r"""$\dot p_\phi = \cos\theta \dot p_\psi$ at constant $\theta$ is $\lambda_1
+    \sin^2\theta \ddot\phi = 0$; upright, $\dot\phi$ and $\dot\psi$ may do as they like."""
     equations = top.symmetric_equations()
     balance = ((equations[1] - cos(s.theta) * equations[2]).expand(),)
-    steady = (Assumption(Eq(s.thetadot, 0), "$θ$ is constant", stated=True), TILTED)
+    steady = (Assumption(Eq(s.thetadot, 0), r"$\theta$ is constant", stated=True), TILTED)
     rates, _, constant = printed.lines("constant-rate")
     yield Formal(rates, given=balance)
     yield Formal(constant, {}, steady, given=balance)
@@ -102,7 +109,8 @@ def constant_rate() -> Iterator[Evidence]:
 
 @claim("3.57", "The quadratic for the rate of steady precession.")
 def steady_precession() -> Iterator[Evidence]:
-    """$θ̈$ vanishes in (3.54); dividing by $sin θ$ loses the tops for which every $Ω$ is steady."""
+    r"""$\ddot\theta$ vanishes in (3.54); dividing by $\sin\theta$ loses the tops for which
+    every $\Omega$ is steady."""
     from . import evidence
 
     resting = top.symmetric_equations()[0].subs({s.thetaddot: 0, s.thetadot: 0})
@@ -116,13 +124,14 @@ def steady_precession() -> Iterator[Evidence]:
 
 @claim(
     "two-roots",
-    "Two solutions; for large $ω₃$ a slow one, $MgR/(λ₃ω₃)$, and a fast one, $λ₃ω₃/(λ₁ cos θ)$.",
+    r"Two solutions; for large $\omega_3$ a slow one, $MgR/(\lambda_3\omega_3)$, and a fast one, "
+    r"$\lambda_3\omega_3/(\lambda_1 \cos\theta)$.",
 )
 def two_roots() -> Iterator[Evidence]:
-    """The standard formula, written so that neither root cancels for large $ω₃$."""
+    r"""The standard formula, written so that neither root cancels for large $\omega_3$."""
     meaning = {s.D: top.discriminant()}
     for root, exact in zip((s.Omega_minus, s.Omega_plus), top.steady_roots(), strict=True):
-        yield Step(Equation(root, exact), "For $ω₃ > 0$; regular at $cos θ = 0$.")
+        yield Step(Equation(root, exact), r"For $\omega_3 > 0$; regular at $\cos\theta = 0$.")
         meaning[root] = exact
     yield Formal(printed(r"\lambda_1\cos\theta \neq 0"), {}, (HORIZONTAL,))
     below = Assumption(Lt(cos(s.theta), 0), "the top hangs below the horizontal")
@@ -140,13 +149,14 @@ def two_roots() -> Iterator[Evidence]:
 
 @claim(
     "slow-agrees",
-    "$Ω₋$ agrees with (3.52); that $ω₃$ is large means the same as that the torque is weak.",
+    r"$\Omega_-$ agrees with (3.52); that $\omega_3$ is large means the same as that the torque is "
+    "weak.",
 )
 def slow_agrees() -> Iterator[Evidence]:
-    """$Ω₋ λ₃ω₃/(MgR)$ depends on $ε$ alone: $δ$ times the spin does what $1/δ²$ times the weight
-    does."""
+    r"""$\Omega_- \lambda_3\omega_3/(MgR)$ depends on $\varepsilon$ alone: $\delta$ times the
+    spin does what $1/\delta^2$ times the weight does."""
     meaning = {**ROOTS, **UP, s.Omega_vec: value(printed("3.52").sides[1], UP)}
-    scaled = Assumption(Ne(s.delta, 0), "the spin is multiplied by $δ$", stated=True)
+    scaled = Assumption(Ne(s.delta, 0), r"the spin is multiplied by $\delta$", stated=True)
     footnote = printed(
         r"\frac{\lambda_1MgR\cos\theta}{(\lambda_3\delta\omega_3)^2}"
         r" = \frac{\varepsilon}{\delta^2}"
@@ -159,10 +169,10 @@ def slow_agrees() -> Iterator[Evidence]:
     )
 
 
-@claim("fast-is-free", "$Ω₊$ does not depend on $g$ and is the free precession of 3.2.3.")
+@claim("fast-is-free", r"$\Omega_+$ does not depend on $g$ and is the free precession of 3.2.3.")
 def fast_is_free() -> Iterator[Evidence]:
-    """Without weight the top turns about $𝐋$ at $Ω_s = L/λ₁$ (not $Ω_b$), $𝐋$ vertical if $θ$ is
-    constant."""
+    r"""Without weight the top turns about $\mathbf L$ at $\Omega_s = L/\lambda_1$ (not
+    $\Omega_b$), $\mathbf L$ vertical if $\theta$ is constant."""
     from . import evidence
 
     across = -s.lambda1 * ROOTS[s.Omega_plus] * sin(s.theta)
@@ -177,7 +187,7 @@ def fast_is_free() -> Iterator[Evidence]:
 page = Page(
     "3.5.3",
     "Precession in the Lagrange formalism",
-    "The heavy symmetric top, without the assumption $𝐋 ∥ 𝛚$.",
+    r"The heavy symmetric top, without the assumption $\mathbf L \parallel \boldsymbol\omega$.",
     (
         lagrangian,
         theta_equation,

@@ -63,7 +63,7 @@ def over_body(centre: Matrix) -> Callable[[Any], Any]:
             - sum(s.rho * x * linear.coeff(x, 1).coeff(s.rho, 1) for x in POSITION)
         )
         if rest.expand() != 0:
-            raise NoMeaningError("the integrand is not $ρ$ times something linear in $r$")
+            raise NoMeaningError(r"the integrand is not $\rho$ times something linear in $r$")
         return first + constant.coeff(s.rho, 1) * s.M
 
     return integral
@@ -71,7 +71,8 @@ def over_body(centre: Matrix) -> Callable[[Any], Any]:
 
 @claim("3.48", "Torque as a sum over particles and as an integral over the force density.")
 def torque() -> Iterator[Evidence]:
-    """$d/dt Σ 𝐫 × m 𝐫̇$ (1.20): forces along the line between two particles drop out, pair by pair.
+    r"""$d/dt \sum \mathbf r \times m \dot{\mathbf r}$ (1.20): forces along the line between two
+    particles drop out, pair by pair.
 
     So they do for any number of particles, as the lines show; here they are three.  A force
     density that sits on the particles makes the integral the sum.
@@ -106,7 +107,8 @@ def torque() -> Iterator[Evidence]:
 
 @claim("3.49", "The torque of gravity is that of all the mass at the centre of mass.")
 def gravity() -> Iterator[Evidence]:
-    """The integral of $ρ r$ is $M 𝐑_CM$ by definition; the same $g$ everywhere is part of $f$.
+    r"""The integral of $\rho r$ is $M \mathbf R_{\text{CM}}$ by definition; the same $g$
+    everywhere is part of $f$.
 
     The torque is known besides from the energy: about each axis it is how much this falls with a
     small turn.
@@ -139,12 +141,12 @@ def gravity() -> Iterator[Evidence]:
     )
 
 
-@claim("potential", "The potential energy is that of the mass at its centre: $MgR cos θ$.")
+@claim("potential", r"The potential energy is that of the mass at its centre: $MgR \cos\theta$.")
 def potential() -> Iterator[Evidence]:
-    """$∫ρ g z$ is $Mg$ times the height of the centre of mass, which lies on $e₃$ at $R$ from the
-    pivot."""
+    r"""$\int\rho g z$ is $Mg$ times the height of the centre of mass, which lies on
+    $\mathbf e_3$ at $R$ from the pivot."""
     centre = euler_matrix() * Matrix([s.R1, s.R2, s.R3])
-    on_axis = "the centre of mass lies on $e₃$, at $R$ from the pivot"
+    on_axis = r"the centre of mass lies on $\mathbf e_3$, at $R$ from the pivot"
     yield Check(
         printed(r"V = \int d^3\mathbf r\rho g\hat{\mathbf z}\cdot\mathbf r = MgR\cos\theta"),
         {

@@ -51,20 +51,23 @@ def mean_shift(second: Expr, third: Expr) -> Expr:
 
 @claim(
     "nutation",
-    "When started a little off, $θ$ oscillates about the value where it could be constant.",
+    r"When started a little off, $\theta$ oscillates about the value where it could be constant.",
 )
 def nutation() -> Iterator[Evidence]:
-    """$θ$ moves in the effective potential of its $p_φ$ and $p_ψ$, whose minimum is the steady
-    angle.
+    r"""$\theta$ moves in the effective potential of its $p_\phi$ and $p_\psi$, whose minimum is
+    the steady angle.
 
-    The frequency is $√(U″/λ₁)$, for a fast top $λ₃ω₃/λ₁$; released at rest, a fast top swings with
-    the amplitude $λ₁MgR sin θ/(λ₃ω₃)²$ about an angle that much below the release. With finite
-    amplitude $A$ the mean lies off the steady angle, by $−A²U‴/(4U″)$.
+    The frequency is $\sqrt{U''/\lambda_1}$, for a fast top $\lambda_3\omega_3/\lambda_1$; released
+    at rest, a fast top swings with the amplitude $\lambda_1MgR \sin\theta/(\lambda_3\omega_3)^2$
+    about an angle that much below the release. With finite amplitude $A$ the mean lies off the
+    steady angle, by $-A^2U'''/(4U'')$.
     """
     from . import evidence
 
     curvature = potential_slope(2)
-    yield Step(Equation(s.U, top.top_effective_potential()), "Minus the Routhian at $θ̇ = 0$.")
+    yield Step(
+        Equation(s.U, top.top_effective_potential()), r"Minus the Routhian at $\dot\theta = 0$."
+    )
     meaning = {s.omega_n2: curvature / s.lambda1, s.g: steady_state()[s.g]}
     yield Formal(printed.lines("nutation")[1], meaning)
     yield Formal(
@@ -95,7 +98,8 @@ def nutation() -> Iterator[Evidence]:
         (
             Assumption(
                 Ge(s.D, 0),
-                "an upright top spins so fast that it sleeps and does not fall away from $θ = 0$",
+                "an upright top spins so fast that it sleeps and does not fall away from "
+                r"$\theta = 0$",
             ),
             Assumption(Ne(s.omega3, 0), "the top spins", stated=True),
             Assumption(Gt(lean, 0), "off the upright", stated=True),
@@ -104,13 +108,14 @@ def nutation() -> Iterator[Evidence]:
     yield from evidence.nutation()
 
 
-@claim("azimuth", "$φ̇$ varies with $θ$ by (3.45): waves, cusps, loops.")
+@claim("azimuth", r"$\dot\phi$ varies with $\theta$ by (3.45): waves, cusps, loops.")
 def azimuth() -> Iterator[Evidence]:
-    """$φ̇$ has the sign of $p_φ − p_ψ cos θ$, which changes at $cos θ₀ = p_φ/p_ψ$.
+    r"""$\dot\phi$ has the sign of $p_\phi - p_\psi \cos\theta$, which changes at
+    $\cos\theta_0 = p_\phi/p_\psi$.
 
-    $θ₀$ between the turning points makes loops, on one of them cusps, outside them waves. A top
-    that is released at rest has $θ₀$ where it is released: cusps. With $p_φ = p_ψ = 0$ (example
-    34) $φ$ rests although $θ$ changes.
+    $\theta_0$ between the turning points makes loops, on one of them cusps, outside them waves. A
+    top that is released at rest has $\theta_0$ where it is released: cusps. With
+    $p_\phi = p_\psi = 0$ (example 34) $\phi$ rests although $\theta$ changes.
     """
     from . import evidence
 
@@ -130,7 +135,8 @@ def azimuth() -> Iterator[Evidence]:
         (
             Assumption(
                 Ne(turning, 0),
-                "$p_φ$ and $p_ψ$ do not both vanish, and $θ$ is not where $φ̇$ is largest or least",
+                r"$p_\phi$ and $p_\psi$ do not both vanish, and $\theta$ is not where $\dot\phi$ "
+                "is largest or least",
             ),
         ),
     )
@@ -139,11 +145,13 @@ def azimuth() -> Iterator[Evidence]:
 
 @claim("friction", "Friction moves the point of contact and takes energy from the rotation.")
 def friction() -> Iterator[Evidence]:
-    """$Ė$ is the contact force times the velocity of the tip where it touches: slip costs energy.
+    r"""$\dot E$ is the contact force times the velocity of the tip where it touches: slip costs
+    energy.
 
     Where static friction holds a sharp tip nothing moves and nothing is lost: that is the fixed
     pivot. Held so, a round tip rolls over the table. Without any friction the contact moves as
-    well: the tip slides round at $RΩ sin θ$, while the centre of mass stays above one spot.
+    well: the tip slides round at $R\Omega \sin\theta$, while the centre of mass stays above one
+    spot.
     """
     direction = Matrix([cos(s.theta), sin(s.theta), 0])
     sliding = {s.F: -s.mu * s.n * direction, s.v_tip: s.slip * direction}
@@ -170,14 +178,17 @@ def friction() -> Iterator[Evidence]:
     yield Remark(
         printed.lines("friction")[4],
         {s.v_tip: -s.R * turning.cross(figure_axis)},
-        reason="Without friction the centre keeps its place and the tip, at $−R e₃$, goes round.",
+        reason=(
+            r"Without friction the centre keeps its place and the tip, at $-R \mathbf e_3$, goes "
+            "round."
+        ),
     )
 
 
 page = Page(
     "3.5.4",
     "Nutation in the Lagrange formalism",
-    "What $θ$ and $φ$ do when the precession is not quite steady.",
+    r"What $\theta$ and $\phi$ do when the precession is not quite steady.",
     (nutation, azimuth, friction),
     text="nutation",
 )

@@ -15,9 +15,13 @@ from .printed import printed
 
 STICK = Matrix([0, sin(s.alpha), cos(s.alpha)])
 
-TILTED = Assumption(Ne(sin(s.alpha), 0), "the stick is tilted against $𝛚$", stated=True)
+TILTED = Assumption(
+    Ne(sin(s.alpha), 0), r"the stick is tilted against $\boldsymbol\omega$", stated=True
+)
 TURNING = Assumption(Ne(s.omega, 0), "the masses move", stated=True)
-OBLIQUE = Assumption(Ne(cos(s.alpha), 0), "the stick is not at right angles to $𝛚$")
+OBLIQUE = Assumption(
+    Ne(cos(s.alpha), 0), r"the stick is not at right angles to $\boldsymbol\omega$"
+)
 
 
 def angular_momentum(turn: Matrix) -> Matrix:
@@ -30,17 +34,18 @@ def angular_momentum(turn: Matrix) -> Matrix:
 
 @claim(
     "two-mass-points",
-    "For two point masses on a stick tilted to $𝛚$, $𝐋$ is not parallel to $𝛚$ and lies in the "
-    "plane of "
-    "the masses and $𝛚$; with $𝛚$ constant $𝐋$ would turn, so $𝛚$ must change when the body is "
-    "free.",
+    r"For two point masses on a stick tilted to $\boldsymbol\omega$, $\mathbf L$ is not parallel "
+    r"to $\boldsymbol\omega$ and lies in the plane of the masses and $\boldsymbol\omega$; with "
+    r"$\boldsymbol\omega$ constant $\mathbf L$ would turn, so $\boldsymbol\omega$ must change when "
+    "the body is free.",
 )
 def two_mass_points() -> Iterator[Evidence]:
-    """$𝐋 = Σ m 𝐫 × (𝛚 × 𝐫)$ has a part across $𝛚$, which half a turn with constant $𝛚$ would
-    reverse.
+    r"""$\mathbf L = \sum m \mathbf r \times (\boldsymbol\omega \times \mathbf r)$ has a part
+    across $\boldsymbol\omega$, which half a turn with constant $\boldsymbol\omega$ would reverse.
 
-    For points exactly on a line that does not make $𝛚$ change: the part of $𝛚$ along the stick
-    moves nothing, and the rest can stay constant along $𝐋$.
+    For points exactly on a line that does not make $\boldsymbol\omega$ change: the part of
+    $\boldsymbol\omega$ along the stick moves nothing, and the rest can stay constant along
+    $\mathbf L$.
     """
     before = angular_momentum(rotation_z(Integer(0)))
     meaning = {
@@ -84,7 +89,7 @@ def two_mass_points() -> Iterator[Evidence]:
 page = Page(
     "3.2 (opening)",
     "Two masses on a stick",
-    "Why a rotation axis that is not parallel to $𝐋$ can't stay where it is.",
+    r"Why a rotation axis that is not parallel to $\mathbf L$ can't stay where it is.",
     (two_mass_points,),
     text="opening",
 )

@@ -25,8 +25,8 @@ from .printed import printed
 SYMMETRIC = Assumption(Eq(s.lambda2, s.lambda1), "two equal moments", stated=True)
 START = Assumption(
     Eq(s.omega_20, 0),
-    "$e₁$, which may be chosen freely since $λ₁ = λ₂$, points along the part of $𝛚$ across $e₃$ at "
-    "$t = 0$",
+    r"$\mathbf e_1$, which may be chosen freely since $\lambda_1 = \lambda_2$, points along the "
+    r"part of $\boldsymbol\omega$ across $\mathbf e_3$ at $t = 0$",
 )
 FROM_START = replace(START, stated=True)  # (3.38) is given there
 RATES = dict(zip((s.omega1dot, s.omega2dot, s.omega3dot), body_accelerations(), strict=True))
@@ -42,16 +42,20 @@ def body_cone() -> Matrix:
     return rotation_z(-body_frequency() * s.t) * Matrix([s.omega_0, s.omega_20, s.omega3])
 
 
-@claim("3.37", "$ω₁$ and $ω₂$ drive each other, and $ω₃$ is constant.")
+@claim("3.37", r"$\omega_1$ and $\omega_2$ drive each other, and $\omega_3$ is constant.")
 def oscillating_pair() -> Iterator[Evidence]:
-    """$λ₂ = λ₁$ in (3.36): the third equation has no right side left, and $ω₃$ is a number."""
+    r"""$\lambda_2 = \lambda_1$ in (3.36): the third equation has no right side left, and
+    $\omega_3$ is a number."""
     meaning = {**RATES, s.Omega_b: body_frequency()}
     yield Formal(printed(r"\dot\omega_3 = 0"), RATES, (SYMMETRIC,))
     for line in printed.lines("3.37"):
         yield Check(line, meaning, (SYMMETRIC,))
 
 
-@claim("omega-oscillator", "$ω₁$ and $ω₂$ obey the equation of an oscillator with frequency $Ω_b$.")
+@claim(
+    "omega-oscillator",
+    r"$\omega_1$ and $\omega_2$ obey the equation of an oscillator with frequency $\Omega_b$.",
+)
 def oscillator() -> Iterator[Evidence]:
     """One of (3.37) differentiated in time, the other inserted."""
     meaning = {
@@ -65,30 +69,36 @@ def oscillator() -> Iterator[Evidence]:
         yield Check(line, meaning, (SYMMETRIC,))
 
 
-@claim("3.38", "In the body frame $𝛚$ turns on the body cone.")
+@claim("3.38", r"In the body frame $\boldsymbol\omega$ turns on the body cone.")
 def omega_on_body_cone() -> Iterator[Evidence]:
-    """(3.37) is a turn about $e₃$ by $−Ω_b t$; the printed solution starts it at $ω₂ = 0$."""
+    r"""(3.37) is a turn about $\mathbf e_3$ by $-\Omega_b t$; the printed solution starts it at
+    $\omega_2 = 0$."""
     from . import evidence
 
     yield Check(printed("3.38"), {s.omega_vec: body_cone(), s.Omega_b: body_frequency()}, (START,))
     yield from evidence.body_cone()
 
 
-@claim("3.39", "In the body frame $𝐋$ turns on a cone of its own.")
+@claim("3.39", r"In the body frame $\mathbf L$ turns on a cone of its own.")
 def momentum_on_body_cone() -> Iterator[Evidence]:
-    """$Lₖ = λₖωₖ$ applied to (3.38)."""
+    r"""$L_k = \lambda_k\omega_k$ applied to (3.38)."""
     momentum = diag(s.lambda1, s.lambda2, s.lambda3) * body_cone()
     yield Check(
         printed("3.39"), {s.L_vec: momentum, s.Omega_b: body_frequency()}, (SYMMETRIC, START)
     )
 
 
-@claim("3.40", "The frequency $Ω_b$ of the precession in the body, and its period $2π/Ω_b$.")
+@claim(
+    "3.40",
+    r"The frequency $\Omega_b$ of the precession in the body, and its period $2\pi/\Omega_b$.",
+)
 def body_precession() -> Iterator[Evidence]:
-    """$Ω_b$ from (3.37); $ω(t)$ has the period of $cos Ω_b t$, which is $2π/|Ω_b|$.
+    r"""$\Omega_b$ from (3.37); $\omega(t)$ has the period of $\cos\Omega_b t$, which is
+    $2\pi/|\Omega_b|$.
 
-    For an oblate body ($λ₃ > λ₁$) with $ω₃ > 0$, and a prolate one with $ω₃ < 0$, $Ω_b$ is
-    negative: $ω$ turns the other way, and the period is $2π/|Ω_b|$. For $λ₁ = λ₃$ nothing turns.
+    For an oblate body ($\lambda_3 > \lambda_1$) with $\omega_3 > 0$, and a prolate one with
+    $\omega_3 < 0$, $\Omega_b$ is negative: $\omega$ turns the other way, and the period is
+    $2\pi/|\Omega_b|$. For $\lambda_1 = \lambda_3$ nothing turns.
     """
     yield Check(printed("3.40"), {s.Omega_b: body_frequency()})
     yield Check(
@@ -97,15 +107,17 @@ def body_precession() -> Iterator[Evidence]:
         (
             Assumption(
                 Gt(s.Omega_b, 0),
-                "$(λ₁ − λ₃)ω₃ > 0$: a long body with $ω₃ > 0$, or a flat one with $ω₃ < 0$",
+                r"$(\lambda_1 - \lambda_3)\omega_3 > 0$: a long body with $\omega_3 > 0$, or a "
+                r"flat one with $\omega_3 < 0$",
             ),
         ),
     )
 
 
-@claim("constant-angle", "The angle between $𝛚$ and $𝐋$ is constant.")
+@claim("constant-angle", r"The angle between $\boldsymbol\omega$ and $\mathbf L$ is constant.")
 def constant_angle() -> Iterator[Evidence]:
-    """$𝛚·𝐋 = 2T$ and $|L|$ are constant for every body; $|ω|$ is too when $λ₁ = λ₂$."""
+    r"""$\boldsymbol\omega\cdot\mathbf L = 2T$ and $|L|$ are constant for every body; $|\omega|$
+    is too when $\lambda_1 = \lambda_2$."""
     on_cone, *sizes, _ = printed.lines("constant-angle")
     solution = body_cone()
     on_body_cone = {
@@ -119,14 +131,17 @@ def constant_angle() -> Iterator[Evidence]:
 
 @claim(
     "coplanar",
-    "It is because the angle of $𝛚$ and $𝐋$ is constant that $e₃$, $𝛚$ and $𝐋$ stay in one plane.",
+    r"It is because the angle of $\boldsymbol\omega$ and $\mathbf L$ is constant that "
+    r"$\mathbf e_3$, $\boldsymbol\omega$ and $\mathbf L$ stay in one plane.",
 )
 def coplanar() -> Iterator[Evidence]:
-    """They do, since $𝐋 = λ₁𝛚 + (λ₃ − λ₁)ω₃e₃$; but the reason given does not show it.
+    r"""They do, since $\mathbf L = \lambda_1\boldsymbol\omega + (\lambda_3 -
+    \lambda_1)\omega_3\mathbf e_3$; but the reason given does not show it.
 
-    Two vectors that turn about $e₃$ together, one behind the other, keep their angle and span no
-    plane with $e₃$. That is a counterexample to the inference, not a body. It takes all three
-    angles and one time at which the plane is there, as (3.38) and (3.39) have it at $t = 0$.
+    Two vectors that turn about $\mathbf e_3$ together, one behind the other, keep their angle and
+    span no plane with $\mathbf e_3$. That is a counterexample to the inference, not a body. It
+    takes all three angles and one time at which the plane is there, as (3.38) and (3.39) have it at
+    $t = 0$.
     """
     axis = Matrix(Z_AXIS)
     meaning = {s.e3: axis, s.omega_vec: Matrix(OMEGA), s.L_vec: angular_momentum()}
@@ -145,12 +160,15 @@ def coplanar() -> Iterator[Evidence]:
     yield Formal(
         printed(r"\boldsymbol\omega\cdot\mathbf w = \text{const}"),
         {**behind, s.const: lambda product: product.diff(s.t)},
-        reason="But $ω$ and a vector $𝐰$ that goes round with it, $γ$ apart, keep their angle,",
+        reason=(
+            r"But $\omega$ and a vector $\mathbf w$ that goes round with it, $\gamma$ apart, keep "
+            "their angle,"
+        ),
     )
     yield Formal(
         printed(r"\mathbf e_3\cdot(\boldsymbol\omega\times\mathbf w) = 0"),
         {vector: means.subs(s.t, 0) for vector, means in behind.items()},
-        reason="yet they are not in one plane with $e₃$.",
+        reason=r"yet they are not in one plane with $\mathbf e_3$.",
     )
     yield Correction(
         printed(
@@ -173,10 +191,13 @@ def coplanar() -> Iterator[Evidence]:
     )
 
 
-@claim("same-frequency", "$𝐋$ precesses about $e₃$ as fast as $𝛚$, at another angle.")
+@claim(
+    "same-frequency",
+    r"$\mathbf L$ precesses about $\mathbf e_3$ as fast as $\boldsymbol\omega$, at another angle.",
+)
 def same_frequency() -> Iterator[Evidence]:
-    """The parts of $𝐋$ and $𝛚$ across $e₃$ are parallel; the slopes against $e₃$ differ by
-    $λ₁/λ₃$."""
+    r"""The parts of $\mathbf L$ and $\boldsymbol\omega$ across $\mathbf e_3$ are parallel; the
+    slopes against $\mathbf e_3$ differ by $\lambda_1/\lambda_3$."""
     momentum = angular_momentum()
     meaning = {s.L1: momentum[0], s.L2: momentum[1]}
     yield Formal(printed.lines("same-frequency")[2], meaning, (SYMMETRIC,))
@@ -185,21 +206,29 @@ def same_frequency() -> Iterator[Evidence]:
         {s.omega_vec: Matrix(OMEGA), s.L_vec: momentum},
         (
             SYMMETRIC,
-            Assumption(Ne(s.omega1**2 + s.omega2**2, 0), "$𝛚$ is not along $e₃$"),
-            Assumption(Ne(s.omega3, 0), "$𝛚$ is not at right angles to $e₃$"),
+            Assumption(
+                Ne(s.omega1**2 + s.omega2**2, 0), r"$\boldsymbol\omega$ is not along $\mathbf e_3$"
+            ),
+            Assumption(
+                Ne(s.omega3, 0), r"$\boldsymbol\omega$ is not at right angles to $\mathbf e_3$"
+            ),
             Assumption(Ne(s.lambda1, s.lambda3), "the third moment differs from the others"),
         ),
     )
 
 
 @claim(
-    "space-cone", "In the space frame the plane of $e₃$ and $𝛚$ turns about $𝐋$ at $Ω_s = L/λ₁$."
+    "space-cone",
+    r"In the space frame the plane of $\mathbf e_3$ and $\boldsymbol\omega$ turns about "
+    r"$\mathbf L$ at $\Omega_s = L/\lambda_1$.",
 )
 def space_cone() -> Iterator[Evidence]:
-    """$𝛚 = 𝐋/λ₁ + (1 − λ₃/λ₁)ω₃e₃$, and the second part does not move $e₃$.
+    r"""$\boldsymbol\omega = \mathbf L/\lambda_1 + (1 - \lambda_3/\lambda_1)\omega_3\mathbf e_3$,
+    and the second part does not move $\mathbf e_3$.
 
-    This is the proof that the notes leave out: $e₃$ and $𝛚$ both turn with the constant vector
-    $L/λ₁$. If $𝛚$ is along $e₃$ so is $𝐋$, and there is neither a plane nor a cone.
+    This is the proof that the notes leave out: $\mathbf e_3$ and $\boldsymbol\omega$ both turn with
+    the constant vector $L/\lambda_1$. If $\boldsymbol\omega$ is along $\mathbf e_3$ so is
+    $\mathbf L$, and there is neither a plane nor a cone.
     """
     from . import evidence
 
@@ -225,7 +254,8 @@ def space_cone() -> Iterator[Evidence]:
             SYMMETRIC,
             Assumption(
                 Ne(s.omega1**2 + s.omega2**2, 0),
-                "$𝛚$ is not along $e₃$: else there is no plane, and $e₃$ rests",
+                r"$\boldsymbol\omega$ is not along $\mathbf e_3$: else there is no plane, and "
+                r"$\mathbf e_3$ rests",
                 stated=True,
             ),
         ),
@@ -235,11 +265,12 @@ def space_cone() -> Iterator[Evidence]:
 
 @claim("free-fall", "In free fall there is no external torque about the centre of mass.")
 def free_fall() -> Iterator[Evidence]:
-    """$Σ m(𝐫 − 𝐑_CM) × 𝐠 = 0$ when gravity is the same for all particles.
+    r"""$\sum m(\mathbf r - \mathbf R_{\text{CM}}) \times \mathbf g = 0$ when gravity is the same
+    for all particles.
 
     So gravity does not turn a body about its centre of mass on the ground either: there the support
-    does, and in free fall there is none. A field that varies across the body ($κ$, the tide) does,
-    and so does the air, which pushes one part more than another ($F₁$).
+    does, and in free fall there is none. A field that varies across the body ($\kappa$, the tide)
+    does, and so does the air, which pushes one part more than another ($F_1$).
     """
     positions = [Matrix(symbols(f"x{k} y{k} z{k}", real=True)) for k in (1, 2)]
     masses = (s.M_1, s.M_2)
@@ -269,13 +300,13 @@ def free_fall() -> Iterator[Evidence]:
     "asteroids do.",
 )
 def example_33() -> Iterator[Evidence]:
-    """At given $L$ the energy is least about the axis of the largest moment.
+    r"""At given $L$ the energy is least about the axis of the largest moment.
 
     Friction inside the body takes energy while something moves in it, and leaves $L$ in space
-    alone. Off the principal axes $𝛚$ changes, so that a ball in oil, which stands for whatever
-    rubs, does not stay at rest in the body. A body that has lost what it can turns about the axis
-    of the largest moment; Toutatis does not yet. (Moments and spin state: Takahashi, Busch &
-    Scheeres 2013.)
+    alone. Off the principal axes $\boldsymbol\omega$ changes, so that a ball in oil, which stands
+    for whatever rubs, does not stay at rest in the body. A body that has lost what it can turns
+    about the axis of the largest moment; Toutatis does not yet. (Moments and spin state: Takahashi,
+    Busch & Scheeres 2013.)
     """
     observed = dict(zip((s.lambda1, s.lambda2, s.lambda3), toutatis.MOMENTS, strict=True))
     spin = Matrix(toutatis.OMEGA_1992)
@@ -296,7 +327,7 @@ def example_33() -> Iterator[Evidence]:
     )
     squared = angular_momentum().dot(angular_momentum())
     meaning = {s.T: kinetic_energy(), s.L: squared ** Rational(1, 2)}
-    largest = "$λ₃$ is the largest moment"
+    largest = r"$\lambda_3$ is the largest moment"
     yield Formal(
         least,
         meaning,
@@ -305,7 +336,7 @@ def example_33() -> Iterator[Evidence]:
             Assumption(Gt(s.lambda3, s.lambda2), largest, stated=True),
             Assumption(
                 Gt(s.omega1**2 + s.omega2**2, 0),
-                "the rotation is another than about $e₃$",
+                r"the rotation is another than about $\mathbf e_3$",
                 stated=True,
             ),
         ),
@@ -325,7 +356,8 @@ def example_33() -> Iterator[Evidence]:
 page = Page(
     "3.2.3",
     "Precession of the rotation axis",
-    "Two equal moments: $𝛚$, $𝐋$ and $e₃$ in the body frame and in space.",
+    r"Two equal moments: $\boldsymbol\omega$, $\mathbf L$ and $\mathbf e_3$ in the body frame and "
+    "in space.",
     (
         oscillating_pair,
         oscillator,

@@ -18,12 +18,13 @@ from .printed import printed
 
 @claim(
     "3.46",
-    "A rotation matrix is an orthogonal $O$ which, applied to $𝐫$, gives $𝐫′$: $𝐫′ = Oᵀ𝐫$.",
+    r"A rotation matrix is an orthogonal $O$ which, applied to $\mathbf r$, gives $\mathbf r'$: "
+    r"$\mathbf r' = O^T\mathbf r$.",
 )
 def rotated_components() -> Iterator[Evidence]:
-    """(3.34) again. But the sentence beside it has $O$ where the equation has $Oᵀ$.
+    r"""(3.34) again. But the sentence beside it has $O$ where the equation has $O^T$.
 
-    And orthogonal is not enough: a mirror image is orthogonal too. It takes $det O = 1$.
+    And orthogonal is not enough: a mirror image is orthogonal too. It takes $\det O = 1$.
     """
     attitude = euler_matrix()
     body = Matrix(symbols("r1 r2 r3", real=True))
@@ -34,7 +35,7 @@ def rotated_components() -> Iterator[Evidence]:
     yield Formal(
         printed(r"\mathbf r' = O\mathbf r"),
         meaning,
-        reason="As the sentence has it: “applied to $𝐫$”.",
+        reason=r"As the sentence has it: “applied to $\mathbf r$”.",
         other_reading={**meaning, s.O_matrix: attitude.T},
     )
     yield Formal(
@@ -42,20 +43,22 @@ def rotated_components() -> Iterator[Evidence]:
         {s.det_O: reduce_trig((handed * attitude).det())},
         (
             Assumption(
-                Eq(handed, 1), "$O$ is not a mirror image ($s = −1$): the S of SO(N)", stated=True
+                Eq(handed, 1), "$O$ is not a mirror image ($s = -1$): the S of SO(N)", stated=True
             ),
         ),
-        "A rotation times $s$ with $s² = 1$ is orthogonal for both signs of $s$.",
+        "A rotation times $s$ with $s^2 = 1$ is orthogonal for both signs of $s$.",
         given=(handed**2 - 1,),
     )
-    yield Correction(line, meaning, reason="It is $Oᵀ$ that is applied to $𝐫$.")
+    yield Correction(line, meaning, reason=r"It is $O^T$ that is applied to $\mathbf r$.")
 
 
-@claim("3.47", "This matrix of Euler angles is $Oᵀ$.")
+@claim("3.47", "This matrix of Euler angles is $O^T$.")
 def euler_angle_matrix() -> Iterator[Evidence]:
-    """The printed matrix has $e₁$, $e₂$, $e₃$ as columns: by (3.34) that is $O$, not $Oᵀ$.
+    r"""The printed matrix has $\mathbf e_1$, $\mathbf e_2$, $\mathbf e_3$ as columns: by (3.34)
+    that is $O$, not $O^T$.
 
-    Its last column is $e₃ = (cos φ sin θ$, $sin φ sin θ$, $cos θ$), as the figure of 3.3 has it.
+    Its last column is $\mathbf e_3 = (\cos\phi \sin\theta$, $\sin\phi \sin\theta$, $\cos\theta$),
+    as the figure of 3.3 has it.
     """
     _, matrix = printed("3.47").sides
     short = {
@@ -82,9 +85,9 @@ def euler_angle_matrix() -> Iterator[Evidence]:
 
 @claim("rotation-group", "Rotation matrices form a group, SO(3), in which $det O = 1$.")
 def rotation_group() -> Iterator[Evidence]:
-    """Products and inverses of orthogonal matrices are orthogonal, and determinants multiply.
+    r"""Products and inverses of orthogonal matrices are orthogonal, and determinants multiply.
 
-    The identities hold entry by entry for any matrices; shown for $2 × 2$ and $3 × 3$.
+    The identities hold entry by entry for any matrices; shown for $2 \times 2$ and $3 \times 3$.
     """
     for size in (2, 3):
         A, B, C = (Matrix(size, size, symbols(f"{x}:{size * size}", real=True)) for x in "abc")

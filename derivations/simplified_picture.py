@@ -24,12 +24,13 @@ from .printed import printed
 MOMENTS = diag(s.lambda1, s.lambda1, s.lambda3)
 WEAK = Assumption(
     Eq(s.epsilon, 0),
-    "to leading order in $ε = λ₁MgR cos θ/(λ₃ω₃)²$: weak torque",
+    r"to leading order in $\varepsilon = \lambda_1MgR \cos\theta/(\lambda_3\omega_3)^2$: weak "
+    "torque",
     stated=True,
     otherwise=top.smallness(),
 )
 NO_NUTATION = Assumption(Eq(s.thetadot, 0), "the top does not nutate")
-SPINNING = Assumption(Ne(s.omega3, 0), "the top spins about $e₃$", stated=True)
+SPINNING = Assumption(Ne(s.omega3, 0), r"the top spins about $\mathbf e_3$", stated=True)
 
 
 @cache
@@ -89,14 +90,20 @@ def picture() -> dict[Expr, Expr | MatrixBase]:
     }
 
 
-@claim("3.50", "With $𝐋 = λ₃ω₃e₃$ the torque of the weight moves the axis.")
+@claim(
+    "3.50",
+    r"With $\mathbf L = \lambda_3\omega_3\mathbf e_3$ the torque of the weight moves the axis.",
+)
 def torque_balance() -> Iterator[Evidence]:
-    """$𝐋̇ = 𝐍$ for the exact $𝐋 = λ₃ω₃e₃ + λ₁ e₃ × 𝐞̇₃$; $λ₁ e₃ × 𝐞̈₃$ is smaller by $ε$ and left out.
+    r"""$\dot{\mathbf L} = \mathbf N$ for the exact $\mathbf L = \lambda_3\omega_3\mathbf e_3 +
+    \lambda_1 \mathbf e_3 \times \dot{\mathbf e}_3$; $\lambda_1 \mathbf e_3
+    \times \ddot{\mathbf e}_3$ is smaller by $\varepsilon$ and left out.
 
-    With $𝐋$ along $e₃$ at all times $𝛚$ would be along $e₃$ too, and $e₃$ could not move: the
-    equation can only hold to leading order, and exactly where $cos θ = 0$. A top that is released
-    with $𝛚$ along $e₃$, as the notes have it, starts with $𝐞̇₃ = 0$ and makes cusps; the equation
-    is then that of its mean motion.
+    With $\mathbf L$ along $\mathbf e_3$ at all times $\boldsymbol\omega$ would be along
+    $\mathbf e_3$ too, and $\mathbf e_3$ could not move: the equation can only hold to leading
+    order, and exactly where $\cos\theta = 0$. A top that is released with $\boldsymbol\omega$ along
+    $\mathbf e_3$, as the notes have it, starts with $\dot{\mathbf e}_3 = 0$ and makes cusps; the
+    equation is then that of its mean motion.
     """
     from . import evidence
 
@@ -111,12 +118,16 @@ def torque_balance() -> Iterator[Evidence]:
     yield from evidence.mean_precession()
 
 
-@claim("torque-perpendicular", "The torque is orthogonal to $𝐋$ and turns it at constant length.")
+@claim(
+    "torque-perpendicular",
+    r"The torque is orthogonal to $\mathbf L$ and turns it at constant length.",
+)
 def perpendicular() -> Iterator[Evidence]:
-    """$𝐍 = MgR ẑ × e₃$ is orthogonal to $e₃$; $𝐋$ has a part $λ₁ e₃ × 𝐞̇₃$ besides, and $𝐍·𝐋 =
-    λ₁MgR θ̇ sin θ$.
+    r"""$\mathbf N = MgR \hat{\mathbf z} \times \mathbf e_3$ is orthogonal to $\mathbf e_3$;
+    $\mathbf L$ has a part $\lambda_1 \mathbf e_3 \times \dot{\mathbf e}_3$ besides, and
+    $\mathbf N\cdot\mathbf L = \lambda_1MgR \dot\theta \sin\theta$.
 
-    So $|L|$ is constant while $θ$ is, and pulsates with the nutation.
+    So $|L|$ is constant while $\theta$ is, and pulsates with the nutation.
     """
     axes = primed_matrix()
     exact = axes * MOMENTS * euler_omega("primed")
@@ -127,13 +138,14 @@ def perpendicular() -> Iterator[Evidence]:
     yield Formal(
         printed(r"\mathbf N\cdot\mathbf L = 0"),
         meaning,
-        (Assumption(Eq(s.thetadot, 0), "$θ$ does not change, as in steady precession"),),
+        (Assumption(Eq(s.thetadot, 0), r"$\theta$ does not change, as in steady precession"),),
     )
 
 
-@claim("3.51", "$e₃$ turns about a vertical $𝛀$.")
+@claim("3.51", r"$\mathbf e_3$ turns about a vertical $\boldsymbol\Omega$.")
 def axis_turns() -> Iterator[Evidence]:
-    """$𝐑_CM = R e₃$ and $g = −g ẑ$ put into (3.50); $λ₃ω₃$ is divided out."""
+    r"""$\mathbf R_{\text{CM}} = R \mathbf e_3$ and $g = -g \hat{\mathbf z}$ put into (3.50);
+    $\lambda_3\omega_3$ is divided out."""
     yield Check(
         printed(
             r"\dot{\mathbf e}_3 = \frac{MgR}{\lambda_3\omega_3}\hat{\mathbf z}\times\mathbf e_3"
@@ -144,15 +156,17 @@ def axis_turns() -> Iterator[Evidence]:
     )
 
 
-@claim("3.52", "The precession vector $𝛀$.")
+@claim("3.52", r"The precession vector $\boldsymbol\Omega$.")
 def precession_vector() -> Iterator[Evidence]:
-    """Read off (3.51); $Ω$ is the rate at which $𝐋̇ = 𝐍$ keeps $θ$, exact for every spin."""
+    r"""Read off (3.51); $\Omega$ is the rate at which $\dot{\mathbf L} = \mathbf N$ keeps
+    $\theta$, exact for every spin."""
     yield Check(printed("3.52"), picture(), (steady(), WEAK, SPINNING))
 
 
 @claim("torque-direction", "The torque of gravity points into the paper.")
 def torque_direction() -> Iterator[Evidence]:
-    """$𝐍 = 𝐑_CM × M𝐠$ for $e₃$ in the paper: $x̂$ to the right, $ẑ$ up, so $ŷ$ points into it."""
+    r"""$\mathbf N = \mathbf R_{\text{CM}} \times M\mathbf g$ for $\mathbf e_3$ in the paper:
+    $\hat{\mathbf x}$ to the right, $\hat{\mathbf z}$ up, so $\hat{\mathbf y}$ points into it."""
     yield Formal(printed(r"\mathbf N = MgR\sin\theta\hat{\mathbf y}"), picture())
     yield Formal(
         printed(r"\mathbf N\cdot\hat{\mathbf y} > 0"),
@@ -161,14 +175,18 @@ def torque_direction() -> Iterator[Evidence]:
     )
 
 
-@claim("parallel-approximation", "$𝐋 ∥ 𝛚$ is a good approximation for a weak torque.")
+@claim(
+    "parallel-approximation",
+    r"$\mathbf L \parallel \boldsymbol\omega$ is a good approximation for a weak torque.",
+)
 def parallel() -> Iterator[Evidence]:
-    """The part of $𝛚$ across $e₃$ gains its energy from the weight alone: $½λ₁ω⊥² = MgR(cos θ₀ −
-    cos θ)$.
+    r"""The part of $\boldsymbol\omega$ across $\mathbf e_3$ gains its energy from the weight
+    alone: $\tfrac12\lambda_1\omega_\perp^2 = MgR(\cos\theta_0 - \cos\theta)$.
 
-    Started with $𝛚$ along $e₃$, it stays of the order of the root of the torque, and $cos²$ of the
-    angle between $𝐋$ and $𝛚$ tends to 1. A weak torque alone is not enough: a top in free
-    precession has none, and its $𝐋$ and $𝛚$ are not parallel.
+    Started with $\boldsymbol\omega$ along $\mathbf e_3$, it stays of the order of the root of the
+    torque, and $\cos^2$ of the angle between $\mathbf L$ and $\boldsymbol\omega$ tends to 1. A weak
+    torque alone is not enough: a top in free precession has none, and its $\mathbf L$ and
+    $\boldsymbol\omega$ are not parallel.
     """
     from . import evidence
 
@@ -189,19 +207,29 @@ def parallel() -> Iterator[Evidence]:
             s.omega_vec: Matrix([transverse, 0, s.omega3]),
         },
         (
-            Assumption(Eq(s.omega_0, 0), "the top starts with $𝛚$ along $e₃$", stated=True),
-            Assumption(Eq(s.kappa, 0), "the torque $κMgR$ is weak", stated=True, otherwise=s.kappa),
+            Assumption(
+                Eq(s.omega_0, 0),
+                r"the top starts with $\boldsymbol\omega$ along $\mathbf e_3$",
+                stated=True,
+            ),
+            Assumption(
+                Eq(s.kappa, 0), r"the torque $\kappa MgR$ is weak", stated=True, otherwise=s.kappa
+            ),
             SPINNING,
         ),
     )
     yield from evidence.parallel()
 
 
-@claim("example-34", "A top released tilted with $𝐋 = 0$: how $𝐋$ evolves, and what motion it is.")
+@claim(
+    "example-34",
+    r"A top released tilted with $\mathbf L = 0$: how $\mathbf L$ evolves, and what motion it is.",
+)
 def toppling() -> Iterator[Evidence]:
-    """$L_z = L₃ = 0$ stay zero, so $φ$ and $ψ$ rest: a plane pendulum that falls over.
+    r"""$L_z = L_3 = 0$ stay zero, so $\phi$ and $\psi$ rest: a plane pendulum that falls over.
 
-    $L$ grows along the fixed horizontal axis $e₂′$, which the torque has too; nothing precesses.
+    $L$ grows along the fixed horizontal axis $\mathbf e_2'$, which the torque has too; nothing
+    precesses.
     """
     _, about_vertical, about_axis = top.symmetric_momenta()
     across = (about_vertical - cos(s.theta) * about_axis).expand()

@@ -19,11 +19,13 @@ from .printed import printed
     "$I$ has three real orthogonal eigenvectors, and $O$ built from them diagonalises $I$.",
 )
 def principal() -> Iterator[Evidence]:
-    """$I$ is symmetric, so $𝐮·I𝐯 = 𝐯·I𝐮$ for all $𝐮$ and $𝐯$.
+    r"""$I$ is symmetric, so $\mathbf u\cdot I\mathbf v = \mathbf v\cdot I\mathbf u$ for all
+    $\mathbf u$ and $\mathbf v$.
 
-    With $𝐮$ and $𝐯$ the real and imaginary part of an eigenvector this makes its moment real; with
-    two eigenvectors it makes ($λ − λ′$) $𝐮·𝐯 = 0$; and the plane across an eigenvector is mapped
-    to itself, so there is another eigenvector in it.
+    With $\mathbf u$ and $\mathbf v$ the real and imaginary part of an eigenvector this makes its
+    moment real; with two eigenvectors it makes ($\lambda - \lambda'$)
+    $\mathbf u\cdot\mathbf v = 0$; and the plane across an eigenvector is mapped to itself, so there
+    is another eigenvector in it.
     """
     u, v, *positions = (Matrix(symbols(f"{x}_1:4", real=True)) for x in "uvxy")
     masses = symbols("M_1 M_2", positive=True)
@@ -42,7 +44,8 @@ def principal() -> Iterator[Evidence]:
 
 @claim("3.34", "$O$ with the principal axes as columns takes body components to space components.")
 def components() -> Iterator[Evidence]:
-    """$r = Σ rₖ eₖ$ is $O r′$ when the columns of $O$ are the $eₖ$; $OᵀO = 1$ turns it round."""
+    r"""$r = \sum r_k \mathbf e_k$ is $O r'$ when the columns of $O$ are the $\mathbf e_k$;
+    $O^TO = 1$ turns it round."""
     attitude = euler_matrix()
     body = Matrix(symbols("r1 r2 r3", real=True))
     vector = sum((body[k] * attitude[:, k] for k in range(3)), Matrix([0, 0, 0]))

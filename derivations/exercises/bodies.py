@@ -13,9 +13,9 @@ from rigidtop.parameters import Parameter
 Vectors = NDArray[np.float64]
 
 # About the pivot; no two numbers are equal, so that a formula with two of them exchanged shows.
-LAMBDA1 = Parameter("lambda1", 1.3, "$λ₁$ about the pivot", "kg m²", above=0)
-LAMBDA3 = Parameter("lambda3", 0.7, "$λ₃$ about the axis", "kg m²", above=0)
-FREE1 = Parameter("lambda1", 1.3, "$λ₁$ about the centre of mass", "kg m²", above=0)
+LAMBDA1 = Parameter("lambda1", 1.3, r"$\lambda_1$ about the pivot", "kg m²", above=0)
+LAMBDA3 = Parameter("lambda3", 0.7, r"$\lambda_3$ about the axis", "kg m²", above=0)
+FREE1 = Parameter("lambda1", 1.3, r"$\lambda_1$ about the centre of mass", "kg m²", above=0)
 """Of a free body, which nothing holds."""
 
 MASS = Parameter("M", 0.8, "mass", "kg", above=0)
@@ -30,8 +30,8 @@ def heavy_top(lambda1: float, lambda3: float, M: float, R: float, g: float) -> H
     return HeavyTop(lambda1=lambda1, lambda3=lambda3, M=M, R=R, g=g)
 
 
-TILT = Parameter("theta", pi / 6, "$θ$ at the start", "rad", above=0, most=pi)
-SPIN = Parameter("omega3", 20.0, "$ω₃$", "rad/s")
+TILT = Parameter("theta", pi / 6, r"$\theta$ at the start", "rad", above=0, most=pi)
+SPIN = Parameter("omega3", 20.0, r"$\omega_3$", "rad/s")
 
 
 def angles(a: Vectors, b: Vectors) -> Vectors:

@@ -16,7 +16,8 @@ from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table, exercise
 from rigidtop.proof.page import Claim, Measure
 
 flip_time = Claim(
-    "flip-time", "The time in which $ω$ turns over about the middle axis is an elliptic integral."
+    "flip-time",
+    r"The time in which $\omega$ turns over about the middle axis is an elliptic integral.",
 )
 
 
@@ -26,7 +27,9 @@ def flip_measured(moments: tuple[float, float, float], spin: float, kick: float)
     motion = FreeBody(*moments).motion(omega=(kick, spin, 0.0))
     path = motion.integrate([seconds / 2, seconds], rtol=1e-13, atol=1e-15 * kick / spin)
     error = float(np.abs(path.omega[:, 1] + [0.0, spin]).max()) / spin
-    return Measure("$ω₂$ after half of that time and at its end over $ω$, integrated", error, 1e-9)
+    return Measure(
+        r"$\omega_2$ after half of that time and at its end over $\omega$, integrated", error, 1e-9
+    )
 
 
 def flip_seconds(moments: tuple[float, float, float], spin: float, kick: float) -> float:
@@ -53,19 +56,21 @@ def flip_constants(
     "Which axes are stable, and the flip about the middle one",
     section="3.2.2",
     asks="assignment 5",
-    statement="A body with three different moments $λ₁ < λ₂ < λ₃$, thrown in the air, turns with "
-    "the same speed $ω$ about one principal axis after the other. Show that a small kick makes $𝛚$ "
-    "oscillate about two of the axes and run away from the third. How fast does it oscillate, "
-    "how fast run away?\n\nAbout the middle axis, and with a kick that adds a small "
-    "$ω₁$, how long does it take until $𝛚$ is well away from the axis? In the end the body turns "
-    "over: how long does one flip take, and after what time is $𝛚$ in the body what it was?",
+    statement=r"A body with three different moments $\lambda_1 < \lambda_2 < \lambda_3$, thrown in "
+    r"the air, turns with the same speed $\omega$ about one principal axis after the "
+    r"other. Show that a small kick makes $\boldsymbol\omega$ oscillate about two of the "
+    "axes and run away from the third. How fast does it oscillate, how fast run away?\n\n"
+    r"About the middle axis, and with a kick that adds a small $\omega_1$, how long does "
+    r"it take until $\boldsymbol\omega$ is well away from the axis? In the end the body "
+    "turns over: how long does one flip take, and after what time is "
+    r"$\boldsymbol\omega$ in the body what it was?",
     claims=(principal_stays, axis_stability, flip_time),
     parameters=(
-        Parameter("lambda1", 1.0, "$λ₁$, the smallest moment", "kg m²", above=0),
-        Parameter("lambda2", 1.7, "$λ₂$, the middle moment", "kg m²", above=0),
-        Parameter("lambda3", 2.3, "$λ₃$, the largest moment", "kg m²", above=0),
+        Parameter("lambda1", 1.0, r"$\lambda_1$, the smallest moment", "kg m²", above=0),
+        Parameter("lambda2", 1.7, r"$\lambda_2$, the middle moment", "kg m²", above=0),
+        Parameter("lambda3", 2.3, r"$\lambda_3$, the largest moment", "kg m²", above=0),
         Parameter("omega", 6.0, "spin about the axis", "rad/s", above=0),
-        Parameter("kick", 0.006, "$ω₁$ that the kick adds", "rad/s", above=0),
+        Parameter("kick", 0.006, r"$\omega_1$ that the kick adds", "rad/s", above=0),
     ),
     figure="flip",
     text="exercises/stable_axes",
@@ -91,28 +96,40 @@ def stable_axes(
     for axis, growth in enumerate(growths):
         rate = sqrt(abs(growth))
         kind, time = ("runs away", 1 / rate) if growth > 0 else ("oscillates", 2 * pi / rate)
-        rows.append((f"$e{'₁₂₃'[axis]}$", moments[axis], kind, rate, time))
+        rows.append((rf"$\mathbf e_{axis + 1}$", moments[axis], kind, rate, time))
     yield Table(
         "axes",
         "A small kick: rate of growth and time to grow by the factor e, or frequency and period",
-        ("axis", "moment (kg $m²$)", "$𝛚$", "rate (1/s)", "time (s)"),
+        ("axis", r"moment (kg $\mathrm m^2$)", r"$\boldsymbol\omega$", "rate (1/s)", "time (s)"),
         tuple(rows),
     )
     rate = sqrt(growths[1])
     seconds = flip_seconds(moments, omega, kick)
     part, _ = flip_constants(moments, omega, kick)
-    yield Answer("growth_rate", "rate $σ$ at which $𝛚$ leaves the middle axis", rate, "1/s")
+    yield Answer(
+        "growth_rate",
+        r"rate $\sigma$ at which $\boldsymbol\omega$ leaves the middle axis",
+        rate,
+        "1/s",
+    )
     yield Answer(
         "time_to_leave",
-        "time until $ω₁$ is $ω$ if it grows as $cosh σt$",
+        r"time until $\omega_1$ is $\omega$ if it grows as $\cosh\sigma t$",
         acosh(omega / kick) / rate,
         "s",
     )
-    yield Answer("flip_time", "time of one flip, from $ω$ to $−ω$ about $e₂$", seconds, "s")
-    yield Answer("period", "time until $𝛚$ in the body is what it was", 2 * seconds, "s")
+    yield Answer(
+        "flip_time",
+        r"time of one flip, from $\omega$ to $-\omega$ about $\mathbf e_2$",
+        seconds,
+        "s",
+    )
+    yield Answer(
+        "period", r"time until $\boldsymbol\omega$ in the body is what it was", 2 * seconds, "s"
+    )
     yield Answer(
         "flip_estimate",
-        "the flip for a small kick, ($2/σ$) $ln(4/√(1 − m))$, for comparison",
+        r"the flip for a small kick, ($2/\sigma$) $\ln(4/\sqrt{1 - m})$, for comparison",
         2 / rate * log(4 / sqrt(part)),
         "s",
     )
@@ -129,7 +146,7 @@ def stable_axes(
         spin = [1e-5 * gap * omega * (k == (axis + 1) % 3) + omega * (k == axis) for k in range(3)]
         period = 2 * body.motion(omega=spin).nutation_period
         yield Measure(
-            f"period about $e{'₁₂₃'[axis]}$ by the closed form, relative",
+            rf"period about $\mathbf e_{axis + 1}$ by the closed form, relative",
             abs(period * sqrt(-growths[axis]) / (2 * pi) - 1),
             1e-8,
         )

@@ -30,7 +30,7 @@ TIGHT: Any = {"rtol": 1e-9, "atol": 1e-11}
 
 
 jellett = Claim(
-    "jellett", "No force at the contact changes $(R − r₀)L₃ + r₀L_z$ of a top with a round tip."
+    "jellett", "No force at the contact changes $(R - r_0)L_3 + r_0L_z$ of a top with a round tip."
 )
 
 
@@ -39,8 +39,8 @@ friction_raises = Claim("friction-raises", "Sliding friction at a round tip rais
 
 spin_falls = Claim(
     "spin-in-air",
-    "A sleeping top that the air brakes has its spin fall exponentially, and wakes; $λ₁$ is the "
-    "moment about the tip.",
+    r"A sleeping top that the air brakes has its spin fall exponentially, and wakes; $\lambda_1$ "
+    "is the moment about the tip.",
 )
 
 
@@ -48,8 +48,8 @@ spin_falls = Claim(
 
 
 ABOUT_CENTRE = (
-    Parameter("lambda1", 4e-5, "$λ₁$ about the centre of mass", "kg m²", above=0),
-    Parameter("lambda3", 2.5e-5, "$λ₃$ about the axis", "kg m²", above=0),
+    Parameter("lambda1", 4e-5, r"$\lambda_1$ about the centre of mass", "kg m²", above=0),
+    Parameter("lambda3", 2.5e-5, r"$\lambda_3$ about the axis", "kg m²", above=0),
     Parameter("M", 0.1, "mass", "kg", above=0),
     Parameter("R", 0.03, "height of the centre of mass of the upright top", "m", above=0),
     GRAVITY,
@@ -144,8 +144,8 @@ def budget(path: SlidingTrajectory, rows: int, last: int, title: str) -> Table:
     cells = [(float(path.t[k]), float(path.theta[k]), *energies(path, int(k))) for k in places]
     columns = (
         "$t$ (s)",
-        "$θ$ (rad)",
-        "spin $½λ₃ω₃²$ (J)",
+        r"$\theta$ (rad)",
+        r"spin $\tfrac12\lambda_3\omega_3^2$ (J)",
         "other motion (J)",
         "weight (J)",
         "heat by friction (J)",
@@ -166,19 +166,20 @@ def budget(path: SlidingTrajectory, rows: int, last: int, title: str) -> Table:
     "A top that friction raises",
     section="3.5.4",
     asks="“friction … will cause the point of contact of the top on the table to move”",
-    statement="A fast top with a round tip stands at the tilt $θ$ on a table and precesses slowly; "
-    "its tip slides with the friction $μ$. Show that friction raises the top although it brakes "
-    "the spin. Which quantity does no force at the contact change, and which spin does it leave "
-    "to the upright top?\n\nHow long does the top take to rise to the final tilt? How much "
-    "energy has the spin lost by then, and where has it gone?",
+    statement=r"A fast top with a round tip stands at the tilt $\theta$ on a table and precesses "
+    r"slowly; its tip slides with the friction $\mu$. Show that friction raises the top "
+    "although it brakes the spin. Which quantity does no force at the contact change, "
+    "and which spin does it leave to the upright top?\n\nHow long does the top take to "
+    "rise to the final tilt? How much energy has the spin lost by then, and where has it "
+    "gone?",
     claims=(friction, jellett, friction_raises),
     parameters=(
         *ABOUT_CENTRE,
         Parameter("tip", 0.01, "radius of the round tip", "m", above=0),
         Parameter("mu", 0.1, "coefficient of sliding friction", above=0),
-        Parameter("theta", 0.5, "$θ$ at the start", "rad", least=0.05, most=1.2),
-        Parameter("until", 0.25, "final $θ$", "rad", least=0.01, most=1.2),
-        Parameter("omega3", 200.0, "$ω₃$ at the start", "rad/s", above=0),
+        Parameter("theta", 0.5, r"$\theta$ at the start", "rad", least=0.05, most=1.2),
+        Parameter("until", 0.25, r"final $\theta$", "rad", least=0.01, most=1.2),
+        Parameter("omega3", 200.0, r"$\omega_3$ at the start", "rad/s", above=0),
     ),
     figure="rising-top",
     text="exercises/rising_top",
@@ -198,20 +199,27 @@ def rising_top(
     before, after = energies(path, 0), energies(path, -1)
     lost = before[0] - after[0]
     yield Answer(
-        "phi_dot", "$φ̇$ at the start, steady if nothing rubs", float(path.phi_dot[0]), "rad/s"
+        "phi_dot",
+        r"$\dot\phi$ at the start, steady if nothing rubs",
+        float(path.phi_dot[0]),
+        "rad/s",
     )
-    yield Answer("time_to_rise", "time until $θ$ has its final value", seconds, "s")
+    yield Answer("time_to_rise", r"time until $\theta$ has its final value", seconds, "s")
     yield Answer(
-        "time_gyroscope", "by $L₃θ̇ = −μMg(R − r₀ + r₀ cos θ)$, for comparison", expected, "s"
+        "time_gyroscope",
+        r"by $L_3\dot\theta = -\mu Mg(R - r_0 + r_0 \cos\theta)$, for comparison",
+        expected,
+        "s",
     )
     yield Answer("slip", "speed of the contact at the start", float(np.hypot(*path.slip[0])), "m/s")
     yield Answer(
         "slip_then", "speed of the contact at the end", float(np.hypot(*path.slip[-1])), "m/s"
     )
-    yield Answer("omega3_then", "$ω₃$ at the end", float(path.omega[-1, 2]), "rad/s")
+    yield Answer("omega3_then", r"$\omega_3$ at the end", float(path.omega[-1, 2]), "rad/s")
     yield Answer(
         "omega3_upright",
-        "$ω₃$ of the upright top, if it gets there, by Jellett's integral with this start's $L_z$",
+        r"$\omega_3$ of the upright top, if it gets there, by Jellett's integral with this start's "
+        "$L_z$",
         float(path.jellett[0]) / (top.lambda3 * top.R),
         "rad/s",
     )
@@ -232,7 +240,10 @@ def rising_top(
     ratio = float(path.omega[-1, 2]) / omega3 * grown
     small = top.lambda1 * weight * top.R / (top.lambda3 * omega3) ** 2
     yield Measure(
-        "$ω₃$ at the end, by Jellett's integral with $𝐋$ along $e₃$", abs(ratio - 1), small
+        r"$\omega_3$ at the end, by Jellett's integral with $\mathbf L$ along "
+        r"$\mathbf e_3$",
+        abs(ratio - 1),
+        small,
     )
 
 
@@ -310,19 +321,25 @@ def small_tilt_time(
     section="3.5.4",
     asks="“the overall rotation to loose [sic] energy”",
     statement="A top with a sharp tip that friction holds in place sleeps upright with the spin "
-    "$ω₃$. The air brakes its spin with the torque $c₃ω₃$. When has the spin come down to the "
-    "sleeping spin? A disturbance leaves a small tilt with $θ̇ = 0$ and with $φ̇$ halfway "
-    "between the two frequencies that it has: $λ₃ω₃/2$ over the moment $λ₁ + MR²$ about the tip. "
-    "When has it become visible, and how large is the spin then? When would it become visible "
-    "from $φ̇ = 0$? Where has the energy gone?",
+    r"$\omega_3$. The air brakes its spin with the torque $c_3\omega_3$. When has the "
+    "spin come down to the sleeping spin? A disturbance leaves a small tilt with "
+    r"$\dot\theta = 0$ and with $\dot\phi$ halfway between the two frequencies that it "
+    r"has: $\lambda_3\omega_3/2$ over the moment $\lambda_1 + MR^2$ about the tip. When "
+    "has it become visible, and how large is the spin then? When would it become visible "
+    r"from $\dot\phi = 0$? Where has the energy gone?",
     claims=(upright_potential, spin_falls, friction),
     parameters=(
         *ABOUT_CENTRE,
-        Parameter("drag3", 5e-6, "$c₃$, drag torque over $ω₃$", "J s", above=0),
-        Parameter("omega3", 165.0, "$ω₃$ at the start", "rad/s", above=0),
-        Parameter("disturbance", 1e-6, "$θ$ at the start", "rad", least=1e-9, most=1e-3),
+        Parameter("drag3", 5e-6, r"$c_3$, drag torque over $\omega_3$", "J s", above=0),
+        Parameter("omega3", 165.0, r"$\omega_3$ at the start", "rad/s", above=0),
+        Parameter("disturbance", 1e-6, r"$\theta$ at the start", "rad", least=1e-9, most=1e-3),
         Parameter(
-            "visible", 0.1, "$θ$ at which the top is seen to wake", "rad", least=0.01, most=0.3
+            "visible",
+            0.1,
+            r"$\theta$ at which the top is seen to wake",
+            "rad",
+            least=0.01,
+            most=0.3,
         ),
     ),
     figure="waking-top",
@@ -331,10 +348,10 @@ def small_tilt_time(
 def waking_top(
     drag3: float, omega3: float, disturbance: float, visible: float, **shape: float
 ) -> Iterator[Outcome]:
-    """From the sleeping spin on, the growth rate is integrated until the tilt is visible. That is
-    good if the tilt grows by a large factor: the time is wrong by about one part in the logarithm
-    of this factor. So the top with its disturbance is integrated as well, and the linear equation
-    of a small tilt for the start with $φ̇ = 0$."""
+    r"""From the sleeping spin on, the growth rate is integrated until the tilt is visible. That
+    is good if the tilt grows by a large factor: the time is wrong by about one part in the
+    logarithm of this factor. So the top with its disturbance is integrated as well, and the
+    linear equation of a small tilt for the start with $\dot\phi = 0$."""
     top = SlidingTop(**shape, mu=HELD, drag3=drag3)
     pivot = about_tip(**shape)
     asleep = time_asleep(omega3, drag3, **shape)
@@ -342,12 +359,12 @@ def waking_top(
     growing = time_to_grow(folds, drag3, **shape)
     yield Answer(
         "sleeping_spin",
-        "smallest $ω₃$ at which the upright is stable",
+        r"smallest $\omega_3$ at which the upright is stable",
         pivot.sleeping_spin(),
         "rad/s",
     )
-    yield Answer("time_asleep", "time until $ω₃$ has come down to it", asleep, "s")
-    yield Answer("half_life", "time in which $ω₃$ halves", log(2) / decay, "s")
+    yield Answer("time_asleep", r"time until $\omega_3$ has come down to it", asleep, "s")
+    yield Answer("half_life", r"time in which $\omega_3$ halves", log(2) / decay, "s")
     yield Answer(
         "time_awake", "time until the tilt is visible, by the growth rate", asleep + growing, "s"
     )
@@ -369,21 +386,26 @@ def waking_top(
             "that the growth rate of a moment says little"
         )
     yield Answer(
-        "phi_dot", "$φ̇$ at the start, $λ₃ω₃/2$ over the moment about the tip", turning, "rad/s"
+        "phi_dot",
+        r"$\dot\phi$ at the start, $\lambda_3\omega_3/2$ over the moment about the tip",
+        turning,
+        "rad/s",
     )
     yield Answer("seen", "time until the tilt is visible, integrated", seen, "s")
-    yield Answer("omega3_then", "$ω₃$ then", omega3 * exp(-decay * seen), "rad/s")
+    yield Answer("omega3_then", r"$\omega_3$ then", omega3 * exp(-decay * seen), "rad/s")
     at_rest = small_tilt_time(pivot, omega3, decay, disturbance, visible, 0.0)
-    yield Answer("seen_at_rest", "time from $φ̇ = 0$, by the equation of a small tilt", at_rest, "s")
+    yield Answer(
+        "seen_at_rest", r"time from $\dot\phi = 0$, by the equation of a small tilt", at_rest, "s"
+    )
     awake = int(np.searchsorted(path.t, seen))
     largest = float(np.max(path.theta[path.t <= asleep]))
-    yield Answer("tilt_asleep", "largest $θ$ before the sleeping spin", largest, "rad")
+    yield Answer("tilt_asleep", r"largest $\theta$ before the sleeping spin", largest, "rad")
     until = motion.integrate(np.linspace(0, seen, 9), **accuracy)
     yield budget(until, 9, 8, "Where the energy is until the tilt is visible")
     error = float(
         np.max(np.abs(path.omega[:awake, 2] / omega3 * np.exp(decay * path.t[:awake]) - 1))
     )
-    yield Measure("$ω₃(t)$ on the table until then, relative", error, 1e-6)
+    yield Measure(r"$\omega_3(t)$ on the table until then, relative", error, 1e-6)
     yield Measure("sum of energies and heat, relative", path.budget(), 1e-7)
     error = abs(seen - asleep - growing) / growing
     yield Measure("time from the sleeping spin, by the growth rate, relative", error, 1.5 / folds)

@@ -19,17 +19,19 @@ from rigidtop.proof.page import Claim, Measure
 from .bodies import GRAVITY, least_spin, simple_rate, smallness
 
 spin_for_accuracy = Claim(
-    "spin-for-accuracy", "(3.52) is off by the share $τ$ where $ε = τ/(1 + τ)²$."
+    "spin-for-accuracy",
+    r"(3.52) is off by the share $\tau$ where $\varepsilon = \tau/(1 + \tau)^2$.",
 )
 
 
 disc_on_an_arm = Claim(
-    "disc-on-an-arm", "A disc on an axle without mass, held at $R$: the mass drops out of $Ω$."
+    "disc-on-an-arm",
+    r"A disc on an axle without mass, held at $R$: the mass drops out of $\Omega$.",
 )
 
 
 wheel_on_an_axle = Claim(
-    "wheel-on-an-axle", "A hoop whose horizontal axle is held at one end: $Ω$ is exact."
+    "wheel-on-an-axle", r"A hoop whose horizontal axle is held at one end: $\Omega$ is exact."
 )
 
 
@@ -132,17 +134,18 @@ FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
     section="3.5.2",
     asks="example 35: gyroscopes",
     statement="A uniform disc spins on a thin axle through its centre. The end of the axle rests "
-    "on a stand, at the distance $R$ from the disc, and the axle makes the angle $θ$ with the "
-    "vertical. In which direction does it precess, how fast, and how long does one turn take?\n\n"
-    "Compare (3.52) with the exact rate. How fast must the disc spin so that (3.52) is wrong by no "
-    "more than the error allowed, and how fast so that it can precess steadily at all?",
+    "on a stand, at the distance $R$ from the disc, and the axle makes the angle "
+    r"$\theta$ with the vertical. In which direction does it precess, how fast, and how "
+    "long does one turn take?\n\nCompare (3.52) with the exact rate. How fast must the "
+    "disc spin so that (3.52) is wrong by no more than the error allowed, and how fast "
+    "so that it can precess steadily at all?",
     claims=(precession_vector, torque_direction, disc_on_an_arm, spin_for_accuracy),
     parameters=(
         Parameter("M", 0.17, "mass of the disc", "kg", above=0),
         Parameter("radius", 0.055, "radius of the disc", "m", above=0),
         Parameter("R", 0.105, "from the stand to the disc", "m", above=0),
-        Parameter("omega3", 90 * pi, "$ω₃$", "rad/s"),
-        Parameter("theta", pi / 3, "$θ$ of the axle", "rad", above=0, most=3.1),
+        Parameter("omega3", 90 * pi, r"$\omega_3$", "rad/s"),
+        Parameter("theta", pi / 3, r"$\theta$ of the axle", "rad", above=0, most=3.1),
         Parameter("tolerance", 0.01, "error allowed, relative to (3.52)", above=0, most=0.9),
         GRAVITY,
     ),
@@ -162,18 +165,20 @@ def gyroscope(
     off = exact / simple - 1
     needed = spin_for(tolerance, top, theta)
 
-    yield Answer("lambda1", "$λ₁$ about the stand", top.lambda1, "kg m²")
-    yield Answer("lambda3", "$λ₃$", top.lambda3, "kg m²")
-    yield Answer("simple", "$Ω$ by (3.52)", simple, "rad/s")
-    yield Answer("exact", "$Ω₋$ of (3.57)", exact, "rad/s")
+    yield Answer("lambda1", r"$\lambda_1$ about the stand", top.lambda1, "kg m²")
+    yield Answer("lambda3", r"$\lambda_3$", top.lambda3, "kg m²")
+    yield Answer("simple", r"$\Omega$ by (3.52)", simple, "rad/s")
+    yield Answer("exact", r"$\Omega_-$ of (3.57)", exact, "rad/s")
     yield Answer("off", "by how much it exceeds (3.52), relative", off)
     yield Answer("period", "time for one turn", 2 * pi / abs(exact), "s")
     yield Answer("direction", "direction, seen from above", seen_from_above(exact))
-    yield Answer("epsilon_0", "$ε₀ = λ₁MgR/(λ₃ω₃)²$", smallness(top, omega3))
+    yield Answer(
+        "epsilon_0", r"$\varepsilon_0 = \lambda_1MgR/(\lambda_3\omega_3)^2$", smallness(top, omega3)
+    )
     yield Answer("good", "is (3.52) good enough?", "yes" if abs(off) <= tolerance else "no")
     least = least_spin(top, theta)
-    yield Answer("spin_needed", "it is for $|ω₃|$ from", needed or least, "rad/s")
-    yield Answer("smallest_spin", "smallest $|ω₃|$ to go round", least, "rad/s")
+    yield Answer("spin_needed", r"it is for $|\omega_3|$ from", needed or least, "rad/s")
+    yield Answer("smallest_spin", r"smallest $|\omega_3|$ to go round", least, "rad/s")
 
     def at(spin: float) -> tuple[float | str, ...]:
         rough = simple_rate(top, spin)
@@ -185,7 +190,13 @@ def gyroscope(
     yield Table(
         "spins",
         "At less and at more spin",
-        ("$ω₃$ (rad/s)", "$ε₀$", "$Ω$ by (3.52) (rad/s)", "$Ω₋$ (rad/s)", "excess"),
+        (
+            r"$\omega_3$ (rad/s)",
+            r"$\varepsilon_0$",
+            r"$\Omega$ by (3.52) (rad/s)",
+            r"$\Omega_-$ (rad/s)",
+            "excess",
+        ),
         tuple(at(factor * omega3) for factor in FACTORS),
     )
     yield Measure(
@@ -215,7 +226,7 @@ def gyroscope(
         Parameter("M", 1.5, "mass of the rim", "kg", above=0),
         Parameter("radius", 0.31, "radius of the rim", "m", above=0),
         Parameter("R", 0.15, "from the cord to the wheel", "m", above=0),
-        Parameter("omega3", 6 * pi, "$ω₃$", "rad/s"),
+        Parameter("omega3", 6 * pi, r"$\omega_3$", "rad/s"),
         Parameter("cord", 1.0, "length of the cord", "m", least=0),
         GRAVITY,
     ),
@@ -237,14 +248,14 @@ def bicycle_wheel(
     dip = asin(4 * weak / (1 + sqrt(1 + 16 * weak**2)))
     motion = top.motion(theta=pi / 2, omega3=omega3)
 
-    yield Answer("lambda1", "$λ₁$ about the end of the axle", top.lambda1, "kg m²")
-    yield Answer("lambda3", "$λ₃$", top.lambda3, "kg m²")
-    yield Answer("precession", "$Ω$, exact at $θ = 90°$", rate, "rad/s")
+    yield Answer("lambda1", r"$\lambda_1$ about the end of the axle", top.lambda1, "kg m²")
+    yield Answer("lambda3", r"$\lambda_3$", top.lambda3, "kg m²")
+    yield Answer("precession", r"$\Omega$, exact at $\theta = 90^\circ$", rate, "rad/s")
     yield Answer("period", "time for one turn", 2 * pi / abs(rate), "s")
     yield Answer("direction", "direction, seen from above", seen_from_above(rate))
     yield Answer("tension", "force in the cord", tension, "N")
     yield Answer("lean", "angle of the cord with the vertical", atan(slope), "rad")
-    yield Answer("epsilon_0", "$ε₀ = λ₁MgR/(λ₃ω₃)²$", weak)
+    yield Answer("epsilon_0", r"$\varepsilon_0 = \lambda_1MgR/(\lambda_3\omega_3)^2$", weak)
     yield Answer("dip", "dip of the axle, let go at rest", dip, "rad")
     yield Answer("dip_period", "time from dip to dip", motion.nutation_period, "s")
 

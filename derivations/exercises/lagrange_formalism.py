@@ -18,7 +18,9 @@ from rigidtop.proof.page import Claim, Measure
 from .bodies import HEAVY_TOP, SPIN, TILT, heavy_top, simple_rate, smallness
 
 roots_in_powers = Claim(
-    "roots-in-powers", "Both rates of a fast top as power series in $ε = λ₁MgR cos θ/(λ₃ω₃)²$."
+    "roots-in-powers",
+    "Both rates of a fast top as power series in "
+    r"$\varepsilon = \lambda_1MgR \cos\theta/(\lambda_3\omega_3)^2$.",
 )
 
 
@@ -78,16 +80,16 @@ def spin_by_search(top: HeavyTop, tilt: float, accuracy: float) -> tuple[float, 
     "Both rates of precession of a fast top",
     section="3.5.3",
     asks="the exercise below (3.57)",
-    statement="Solve the quadratic (3.57) for the rate $Ω$ of steady precession and find both "
-    "solutions for very large $ω₃$. What is the next term of each, and how good is each order for "
-    "the given top?\n\n"
-    "How fast must the top spin for the leading terms to be right within the given accuracy?",
+    statement=r"Solve the quadratic (3.57) for the rate $\Omega$ of steady precession and find "
+    r"both solutions for very large $\omega_3$. What is the next term of each, and how "
+    "good is each order for the given top?\n\nHow fast must the top spin for the leading "
+    "terms to be right within the given accuracy?",
     claims=(two_roots, roots_in_powers, fast_enough),
     parameters=(
         *HEAVY_TOP,
         TILT,
         SPIN,
-        Parameter("accuracy", 0.01, "error allowed, relative to $Ω$", least=1e-9, most=0.4),
+        Parameter("accuracy", 0.01, r"error allowed, relative to $\Omega$", least=1e-9, most=0.4),
     ),
     figure="asymptotics",
     text="exercises/fast_spin_roots",
@@ -107,32 +109,47 @@ def fast_spin_roots(
         raise RigidtopError("omega3 = 0: the leading terms are those of a top that spins")
     epsilon = smallness(top, omega3) * cos(theta)
     lead = leading(top, theta, omega3)
-    yield Answer("epsilon", "$ε = λ₁MgR cos θ/(λ₃ω₃)²$", epsilon)
+    yield Answer(
+        "epsilon", r"$\varepsilon = \lambda_1MgR \cos\theta/(\lambda_3\omega_3)^2$", epsilon
+    )
     rows = []
     for terms in range(1, 6):
         pair = [x * f for x, f in zip(lead, series_factors(terms, epsilon), strict=True)]
         errors = [x / root - 1 for x, root in zip(pair, exact, strict=True)]
         rows.append((terms, pair[0], errors[0], pair[1], errors[1]))
     for k, name, sign in ((0, "slow", "₋"), (1, "fast", "₊")):
-        yield Answer(f"{name}", f"$Ω{sign}$, root of (3.57)", exact[k], "rad/s")
-        yield Answer(f"{name}_leading", f"$Ω{sign}$, leading term", lead[k], "rad/s")
+        yield Answer(f"{name}", rf"$\Omega{sign}$, root of (3.57)", exact[k], "rad/s")
+        yield Answer(f"{name}_leading", rf"$\Omega{sign}$, leading term", lead[k], "rad/s")
         yield Answer(f"{name}_error", "its error, relative to the root", rows[0][2 + 2 * k])
-        yield Answer(f"{name}_next", f"$Ω{sign}$ with the next term", rows[1][1 + 2 * k], "rad/s")
+        yield Answer(
+            f"{name}_next", rf"$\Omega{sign}$ with the next term", rows[1][1 + 2 * k], "rad/s"
+        )
         yield Answer(f"{name}_next_error", "its error", rows[1][2 + 2 * k])
     yield Table(
         "orders",
         "Both series, order by order",
-        ("terms", "$Ω₋$ (rad/s)", "relative error", "$Ω₊$ (rad/s)", "relative error"),
+        ("terms", r"$\Omega_-$ (rad/s)", "relative error", r"$\Omega_+$ (rad/s)", "relative error"),
         tuple(rows),
     )
     spins = spin_for(top, theta, accuracy)
     yield Answer(
-        "threshold", "smallest $|ω₃|$ of steady precession", top.smallest_spin(theta), "rad/s"
+        "threshold",
+        r"smallest $|\omega_3|$ of steady precession",
+        top.smallest_spin(theta),
+        "rad/s",
     )
     yield Answer(
-        "slow_spin", "$|ω₃|$ from which $MgR/(λ₃ω₃)$ is accurate enough", spins[0], "rad/s"
+        "slow_spin",
+        r"$|\omega_3|$ from which $MgR/(\lambda_3\omega_3)$ is accurate enough",
+        spins[0],
+        "rad/s",
     )
-    yield Answer("fast_spin", "$|ω₃|$ from which $λ₃ω₃/(λ₁ cos θ)$ is", spins[1], "rad/s")
+    yield Answer(
+        "fast_spin",
+        r"$|\omega_3|$ from which $\lambda_3\omega_3/(\lambda_1 \cos\theta)$ is",
+        spins[1],
+        "rad/s",
+    )
     coefficients = [top.lambda1 * cos(theta), -top.lambda3 * omega3, top.weight[2]]
     companion = sorted(np.roots(coefficients).real, key=abs)
     difference = max(abs(a / b - 1) for a, b in zip(companion, exact, strict=True))

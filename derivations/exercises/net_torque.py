@@ -46,18 +46,19 @@ def point_parameters() -> Iterator[Parameter]:
     section="3.5.1",
     asks="(3.48) and (3.49)",
     statement="Three masses are held together by light rods, and the body is held at the origin. "
-    "Add up the torque of gravity and the potential energy, mass by mass. Then put all the mass "
-    "at the centre of mass, and compare.\n\nA third way: give the body a quarter turn to either "
-    "side about $x̂$, about $ŷ$ and about $ẑ$. What do the potential energies say about the "
-    "torque?",
+    "Add up the torque of gravity and the potential energy, mass by mass. Then put all "
+    "the mass at the centre of mass, and compare.\n\nA third way: give the body a "
+    r"quarter turn to either side about $\hat{\mathbf x}$, about $\hat{\mathbf y}$ and "
+    r"about $\hat{\mathbf z}$. What do the potential energies say about the torque?",
     claims=(torque, gravity, potential),
     parameters=(*point_parameters(), GRAVITY),
     figure="weights",
 )
 def gravity_on_points(g: float, **given: float) -> Iterator[Outcome]:
-    """Both sums are taken point by point. For the third way $V$ of the turned points is computed: a
-    turn by $α$ changes $V$ by terms in $cos α$ and in $sin α$, so $(V(90°) − V(−90°))/2$ is its
-    slope at $α = 0$, and the torque about that axis is minus the slope."""
+    r"""Both sums are taken point by point. For the third way $V$ of the turned points is
+    computed: a turn by $\alpha$ changes $V$ by terms in $\cos\alpha$ and in $\sin\alpha$, so
+    $(V(90^\circ) - V(-90^\circ))/2$ is its slope at $\alpha = 0$, and the torque about that axis
+    is minus the slope."""
     masses = np.array([given[f"m{k + 1}"] for k in range(POINTS)])
     places = np.array([[given[f"{axis}{k + 1}"] for axis in "xyz"] for k in range(POINTS)])
     weights = -g * masses[:, None] * np.array([0.0, 0.0, 1.0])
@@ -69,13 +70,13 @@ def gravity_on_points(g: float, **given: float) -> Iterator[Outcome]:
     for letter, x in zip("xyz", centre, strict=True):
         yield Answer(f"centre_{letter}", f"centre of mass along ${letter}$", float(x), "m")
     for letter, n in zip("xyz", summed, strict=True):
-        yield Answer(f"torque_{letter}", f"torque along ${letter}̂$", float(n), "N m")
+        yield Answer(f"torque_{letter}", f"torque along ${letter}$", float(n), "N m")
     yield Answer("potential", "potential energy", energy, "J")
 
     size = float(np.linalg.norm(places, axis=1) @ np.linalg.norm(weights, axis=1)) or 1.0
     lumped = np.cross(centre, [0.0, 0.0, -total * g])
     yield Measure(
-        "torque of all the mass at its centre, over $Σ|r||F|$",
+        r"torque of all the mass at its centre, over $\sum|r||F|$",
         float(np.abs(lumped - summed).max()) / size,
         1e-14,
     )
@@ -97,7 +98,8 @@ def gravity_on_points(g: float, **given: float) -> Iterator[Outcome]:
 
 
 torque_along_the_nodes = Claim(
-    "torque-along-the-nodes", "The torque $MgR sin θ$ on a top lies along $e₂′$, and drives $θ$."
+    "torque-along-the-nodes",
+    r"The torque $MgR \sin\theta$ on a top lies along $\mathbf e_2'$, and drives $\theta$.",
 )
 
 
@@ -132,19 +134,19 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
     "gravity-on-a-solid",
     "Gravity on a cone that stands on its tip",
     section="3.5.1",
-    asks="exercise: the potential energy is $MgR cos θ$",
+    asks=r"exercise: the potential energy is $MgR \cos\theta$",
     statement="A solid cone of uniform density stands on its tip, which is held so high that no "
-    "table is in the way, and leans at $θ$ towards some azimuth. Every bit of it has a "
-    "weight, an arm and a height of its own. Find the torque and the potential energy as "
-    "integrals over the cone, and compare with one force $Mg$ at the centre of mass.\n\nFind its "
-    "moments about the tip too: then the cone is a top. How fast must it spin so that it can "
-    "stand upright, or go round steadily at $θ$?",
+    r"table is in the way, and leans at $\theta$ towards some azimuth. Every bit of it "
+    "has a weight, an arm and a height of its own. Find the torque and the potential "
+    "energy as integrals over the cone, and compare with one force $Mg$ at the centre of "
+    "mass.\n\nFind its moments about the tip too: then the cone is a top. How fast must "
+    r"it spin so that it can stand upright, or go round steadily at $\theta$?",
     claims=(gravity, potential, torque_along_the_nodes, cone_on_its_tip),
     parameters=(
         Parameter("radius", 0.03, "radius of the base", "m", above=0),
         Parameter("height", 0.06, "height", "m", above=0),
         Parameter("density", 700.0, "density, that of beech", "kg/m³", above=0),
-        Parameter("theta", pi / 9, "$θ$, tilt of the axis", "rad", least=0, most=pi),
+        Parameter("theta", pi / 9, r"$\theta$, tilt of the axis", "rad", least=0, most=pi),
         Parameter("phi", 0.7, "azimuth of the axis", "rad"),
         GRAVITY,
     ),
@@ -154,9 +156,9 @@ def discs(radius: float, height: float, nodes: int = 8) -> tuple[Vectors, Vector
 def gravity_on_a_solid(
     radius: float, height: float, density: float, theta: float, phi: float, g: float
 ) -> Iterator[Outcome]:
-    """Mass, centre and moments follow from these formulas, the smallest spins from the discriminant
-    of (3.57), at $θ$ and upright. A sum over the tilted cone, disc by disc, has the same torque and
-    energy."""
+    r"""Mass, centre and moments follow from these formulas, the smallest spins from the
+    discriminant of (3.57), at $\theta$ and upright. A sum over the tilted cone, disc by disc,
+    has the same torque and energy."""
     shape = dict(zip(_SHAPE, (radius, height, density), strict=True))
     volume, centre, across, along = (float(x.subs(shape)) for x in _of_a_cone())
     mass = density * volume
@@ -167,16 +169,18 @@ def gravity_on_a_solid(
 
     yield Answer("mass", "$M$", mass, "kg")
     yield Answer("R", "$R$, from the tip to the centre of mass", centre, "m")
-    yield Answer("lambda1", "$λ₁$ about the tip", top.lambda1, "kg m²")
-    yield Answer("lambda3", "$λ₃$", top.lambda3, "kg m²")
-    yield Answer("torque", "torque $MgR sin θ$", turning, "N m")
-    yield Answer("torque_x", "torque along $x̂$", turning * direction[0], "N m")
-    yield Answer("torque_y", "torque along $ŷ$", turning * direction[1], "N m")
-    yield Answer("potential", "potential energy $MgR cos θ$", energy, "J")
-    yield Answer("sleeping_spin", "smallest $ω₃$ to stand upright", top.sleeping_spin(), "rad/s")
+    yield Answer("lambda1", r"$\lambda_1$ about the tip", top.lambda1, "kg m²")
+    yield Answer("lambda3", r"$\lambda_3$", top.lambda3, "kg m²")
+    yield Answer("torque", r"torque $MgR \sin\theta$", turning, "N m")
+    yield Answer("torque_x", r"torque along $\hat{\mathbf x}$", turning * direction[0], "N m")
+    yield Answer("torque_y", r"torque along $\hat{\mathbf y}$", turning * direction[1], "N m")
+    yield Answer("potential", r"potential energy $MgR \cos\theta$", energy, "J")
+    yield Answer(
+        "sleeping_spin", r"smallest $\omega_3$ to stand upright", top.sleeping_spin(), "rad/s"
+    )
     yield Answer(
         "smallest_spin",
-        "smallest $ω₃$ to go round steadily at $θ$",
+        r"smallest $\omega_3$ to go round steadily at $\theta$",
         least_spin(top, theta),
         "rad/s",
     )
@@ -190,12 +194,12 @@ def gravity_on_a_solid(
         "mass, disc by disc, relative": bits.sum() / mass - 1,
         "torque, disc by disc, over $MgR$": (summed - turning * direction) / scale,
         "potential energy, disc by disc, over $MgR$": (g * bits @ standing[:, 2] - energy) / scale,
-        "$λ₁$ about the tip, disc by disc, relative": bits
+        r"$\lambda_1$ about the tip, disc by disc, relative": bits
         @ (points[:, 1] ** 2 + points[:, 2] ** 2)
         / top.lambda1
         - 1,
-        "$λ₃$, disc by disc, relative": bits @ (points[:, 0] ** 2 + points[:, 1] ** 2) / top.lambda3
-        - 1,
+        r"$\lambda_3$, disc by disc, "
+        "relative": bits @ (points[:, 0] ** 2 + points[:, 1] ** 2) / top.lambda3 - 1,
     }
     for what, error in errors.items():
         yield Measure(what, float(np.max(np.abs(error))), 1e-12)

@@ -30,17 +30,19 @@ TIGHT: Any = {"rtol": 1e-12, "atol": 1e-14}
 
 released_at_rest = Claim(
     "released-at-rest",
-    "Where a top let go at $θᵢ$ with $𝛚$ along $e₃$ turns back, and how far it swings.",
+    r"Where a top let go at $\theta_i$ with $\boldsymbol\omega$ along $\mathbf e_3$ turns back, "
+    "and how far it swings.",
 )
 
 
 turning_points = Claim(
-    "turning-points", "The turning points of $θ$ are two roots of a cubic in $cos θ$."
+    "turning-points", r"The turning points of $\theta$ are two roots of a cubic in $\cos\theta$."
 )
 
 
 waves_or_loops = Claim(
-    "waves-or-loops", "At which $φ̇$ the path changes from waves to loops, for a start with $θ̇ = 0$."
+    "waves-or-loops",
+    r"At which $\dot\phi$ the path changes from waves to loops, for a start with $\dot\theta = 0$.",
 )
 
 
@@ -110,10 +112,11 @@ def lowest_potential(start: Start) -> Start:
     "Frequency and amplitude of the nutation",
     section="3.5.4",
     asks="“small oscillations around the value where it could be constant”",
-    statement="A top precesses almost steadily. With which frequency does $θ$ oscillate about the "
-    "angle at which it could be constant, and what does that become for large $ω₃$?\n\n"
-    "The same top is let go at $θ$ with its axis at rest. How far does the axis swing, and about "
-    "which angle? How good are the formulas for fast tops when the top is not that fast?",
+    statement=r"A top precesses almost steadily. With which frequency does $\theta$ oscillate "
+    "about the angle at which it could be constant, and what does that become for large "
+    "$\\omega_3$?\n\nThe same top is let go at $\\theta$ with its axis at rest. How far "
+    "does the axis swing, and about which angle? How good are the formulas for fast tops "
+    "when the top is not that fast?",
     claims=(nutation, released_at_rest),
     parameters=(*HEAVY_TOP, INCLINED, SPIN),
     figure="effective-potential",
@@ -127,24 +130,27 @@ def small_nutation(theta: float, omega3: float, **shape: float) -> Iterator[Outc
     if omega3 == 0:
         raise RigidtopError("omega3 = 0: a top that is let go at rest without spin falls over")
     frequency = small_frequency(top, theta, slow, omega3)
-    yield Answer("slow", "rate $Ω₋$ of steady precession at $θ$", slow, "rad/s")
-    yield Answer("frequency", "small nutation about it, $ω_n$", frequency, "rad/s")
+    yield Answer("slow", r"rate $\Omega_-$ of steady precession at $\theta$", slow, "rad/s")
+    yield Answer("frequency", r"small nutation about it, $\omega_n$", frequency, "rad/s")
     yield Answer(
         "fast_frequency",
-        "the same for a fast top, $|λ₃ω₃|/λ₁$",
+        r"the same for a fast top, $|\lambda_3\omega_3|/\lambda_1$",
         top.lambda3 * abs(omega3) / top.lambda1,
         "rad/s",
     )
     kicked = top.motion(theta=theta, theta_dot=1e-6 * frequency, phi_dot=slow, omega3=omega3)
     error = abs(2 * pi / kicked.nutation_period / frequency - 1)
-    yield Measure("frequency of a nutation of $10⁻⁶$ rad in closed form, relative", error, 1e-8)
+    yield Measure("frequency of a nutation of $10^{-6}$ rad in closed form, relative", error, 1e-8)
 
     released, predicted = Start(top, theta, 0.0, omega3), smallness(top, omega3)
     period, turn = released.motion.nutation_period, released.other.tilt
-    yield Answer("turn", "let go at rest: $θ$ of the other turning point", turn, "rad")
+    yield Answer("turn", r"let go at rest: $\theta$ of the other turning point", turn, "rad")
     yield Answer("amplitude", "half the way to it", (turn - theta) / 2, "rad")
     yield Answer(
-        "fast_amplitude", "for a fast top, $λ₁MgR sin θ/(λ₃ω₃)²$", predicted * sin(theta), "rad"
+        "fast_amplitude",
+        r"for a fast top, $\lambda_1MgR \sin\theta/(\lambda_3\omega_3)^2$",
+        predicted * sin(theta),
+        "rad",
     )
     yield Answer("centre", "middle between the turning points", (turn + theta) / 2, "rad")
     yield Answer("fast_centre", "that middle for a fast top", theta + predicted * sin(theta), "rad")
@@ -153,20 +159,20 @@ def small_nutation(theta: float, omega3: float, **shape: float) -> Iterator[Outc
     yield Answer("released_frequency", "frequency of this nutation", 2 * pi / period, "rad/s")
     yield Answer(
         "harmonic_frequency",
-        "$ω_n$ at that angle",
+        r"$\omega_n$ at that angle",
         small_frequency(top, steady.tilt, steady.phi_dot, omega3),
         "rad/s",
     )
     yield Table(
         "spins",
-        "Let go at rest with other spins; $ω_n$ at the lowest potential",
+        r"Let go at rest with other spins; $\omega_n$ at the lowest potential",
         (
-            "$ω₃$ (rad/s)",
+            r"$\omega_3$ (rad/s)",
             "frequency (rad/s)",
-            "$ω_n$ (rad/s)",
-            "$|λ₃ω₃|/λ₁$ (rad/s)",
+            r"$\omega_n$ (rad/s)",
+            r"$|\lambda_3\omega_3|/\lambda_1$ (rad/s)",
             "amplitude (rad)",
-            "$λ₁MgR sin θ/(λ₃ω₃)²$ (rad)",
+            r"$\lambda_1MgR \sin\theta/(\lambda_3\omega_3)^2$ (rad)",
         ),
         tuple(_released(top, theta, factor * omega3) for factor in (1, 2, 4, 8)),
     )
@@ -174,7 +180,7 @@ def small_nutation(theta: float, omega3: float, **shape: float) -> Iterator[Outc
     there = abs(float(turned.theta[0]) - turn)
     yield Measure("its turning point half a period later, integrated (rad)", there, 1e-9)
     slowed = abs(float(turned.theta_dot[0])) / (2 * pi / period * (turn - theta))
-    yield Measure("$θ̇$ there over that of a small nutation, integrated", slowed, 1e-9)
+    yield Measure(r"$\dot\theta$ there over that of a small nutation, integrated", slowed, 1e-9)
 
 
 def _released(top: HeavyTop, tilt: float, spin: float) -> tuple[float, ...]:
@@ -235,17 +241,17 @@ def seen(motion: TopMotion, period: float) -> str:
     "Waves, cusps, loops",
     section="3.5.4",
     asks="“the azimuthal progress of the top … becomes more complicated”",
-    statement="A top starts at $θ$ with the spin $ω₃$ and with $θ̇ = 0$. For which $φ̇$ does its "
-    "axis draw "
-    "waves, for which loops, and what is drawn at the boundaries between them? For which $φ̇$ "
-    "does the axis sink at first, for which does it rise?\n\nFind the turning points of $θ$ and "
-    "$φ̇$ there for the given $φ̇$, and how far the axis turns about the vertical from one "
+    statement=r"A top starts at $\theta$ with the spin $\omega_3$ and with $\dot\theta = 0$. For "
+    r"which $\dot\phi$ does its axis draw waves, for which loops, and what is drawn at "
+    r"the boundaries between them? For which $\dot\phi$ does the axis sink at first, for "
+    "which does it rise?\n\nFind the turning points of $\\theta$ and $\\dot\\phi$ there "
+    r"for the given $\dot\phi$, and how far the axis turns about the vertical from one "
     "nutation to the next.",
     claims=(azimuth, turning_points, waves_or_loops),
     parameters=(
         *HEAVY_TOP,
         INCLINED,
-        Parameter("phi_dot", 0.2, "$φ̇$ at the start", "rad/s"),
+        Parameter("phi_dot", 0.2, r"$\dot\phi$ at the start", "rad/s"),
         SPIN,
     ),
     figure="paths",
@@ -271,38 +277,45 @@ def waves_cusps_loops(
     rows, wrong = _between(top, theta, omega3)
     yield Table(
         "boundaries",
-        "The path for each $φ̇$ at the start",
+        r"The path for each $\dot\phi$ at the start",
         (
-            "from $φ̇$ (rad/s)",
-            "to $φ̇$ (rad/s)",
+            r"from $\dot\phi$ (rad/s)",
+            r"to $\dot\phi$ (rad/s)",
             "path",
             "at first the axis",
             "at the end of the range",
         ),
         tuple(rows),
     )
-    yield Answer("path", "path for the given $φ̇$", drawn)
+    yield Answer("path", r"path for the given $\dot\phi$", drawn)
     yield Answer("at_first", "at first the axis", start.first)
-    yield Answer("turn", "$θ$ at the other turning point", other.tilt, "rad")
-    yield Answer("turn_rate", "$φ̇$ at the other turning point", other.phi_dot, "rad/s")
+    yield Answer("turn", r"$\theta$ at the other turning point", other.tilt, "rad")
+    yield Answer("turn_rate", r"$\dot\phi$ at the other turning point", other.phi_dot, "rad/s")
     yield Answer("period", "time from one nutation to the next", period, "s")
-    yield Answer("precession", "by how much $φ$ grows in that time", precession, "rad")
-    yield Answer("mean_rate", "mean $φ̇$", precession / period, "rad/s")
-    yield Measure("$φ̇$ chosen between the boundaries with another path in closed form", wrong, 0.5)
+    yield Answer("precession", r"by how much $\phi$ grows in that time", precession, "rad")
+    yield Answer("mean_rate", r"mean $\dot\phi$", precession / period, "rad/s")
+    yield Measure(
+        r"$\dot\phi$ chosen between the boundaries with another path in closed form", wrong, 0.5
+    )
     yield Measure("path as in closed form", float(motion.regime != drawn), 0.5)
     if drawn != "steady":
         by_signs = float(seen(motion, period) != drawn)
-        yield Measure("path by the signs of $φ̇$, integrated", by_signs, 0.5)
+        yield Measure(r"path by the signs of $\dot\phi$, integrated", by_signs, 0.5)
     path = motion.integrate([period / 2, period], **TIGHT)
     errors = np.abs(path.theta - [other.tilt, theta])
     yield Measure(
-        "$θ$ half a period later, and a whole one, integrated (rad)", float(errors.max()), 1e-9
+        r"$\theta$ half a period later, and a whole one, integrated "
+        "(rad)",
+        float(errors.max()),
+        1e-9,
     )
     scale = max(abs(phi_dot), abs(other.phi_dot), 1.0)
     error = abs(float(path.phi_dot[0]) - other.phi_dot)
-    yield Measure("$φ̇$ half a period later, integrated (rad/s)", error, 1e-7 * scale)
+    yield Measure(r"$\dot\phi$ half a period later, integrated (rad/s)", error, 1e-7 * scale)
     error = abs(float(path.phi[1]) - precession)
-    yield Measure("$φ$ a period later, integrated (rad)", error, 1e-9 * max(1.0, abs(precession)))
+    yield Measure(
+        r"$\phi$ a period later, integrated (rad)", error, 1e-9 * max(1.0, abs(precession))
+    )
 
 
 def _between(
@@ -319,8 +332,8 @@ def _between(
     ]
     rows: list[tuple[float | str, ...]] = []
     wrong = 0
-    lower: list[float | str] = ["$−∞$", *rates]
-    upper: list[float | str] = [*rates, "$∞$"]
+    lower: list[float | str] = [r"$-\infty$", *rates]
+    upper: list[float | str] = [*rates, r"$\infty$"]
     there = [*(name for _, name in found), "–"]
     for sample, low, high, what in zip(samples, lower, upper, there, strict=True):
         start = Start(top, tilt, sample, spin)

@@ -16,7 +16,8 @@ from rigidtop.proof.page import Claim, Measure
 
 bearing_torque = Claim(
     "bearing-torque",
-    "What keeps $𝛚$ constant is a torque $𝛚 × 𝐋$ across the plane of $𝛚$ and stick.",
+    r"What keeps $\boldsymbol\omega$ constant is a torque $\boldsymbol\omega \times \mathbf L$ "
+    r"across the plane of $\boldsymbol\omega$ and stick.",
 )
 
 
@@ -50,20 +51,27 @@ def free_flight(
     "Two masses on a stick",
     section="3.2 (opening)",
     asks="opening example",
-    statement="The masses $M₁$ and $M₂$ sit at the distances $a$ and $b$ on either side of the "
-    "origin on a stick without mass, which a bearing at the origin turns at constant $𝛚$, tilted "
-    "against $𝛚$ by the angle $α$. Gravity is left out. Which direction has $𝐋$, and how "
-    "far is it from $𝛚$?\n\n"
-    "What torque, and what force, must the bearing exert, and in which directions? What do stick "
-    "and masses do when the bearing lets go?",
+    statement="The masses $M_1$ and $M_2$ sit at the distances $a$ and $b$ on either side of the "
+    "origin on a stick without mass, which a bearing at the origin turns at constant "
+    r"$\boldsymbol\omega$, tilted against $\boldsymbol\omega$ by the angle $\alpha$. "
+    r"Gravity is left out. Which direction has $\mathbf L$, and how far is it from "
+    "$\\boldsymbol\\omega$?\n\nWhat torque, and what force, must the bearing exert, and "
+    "in which directions? What do stick and masses do when the bearing lets go?",
     claims=(two_mass_points, bearing_torque),
     parameters=(
         Parameter("M_1", 1.5, "first mass", "kg", above=0),
         Parameter("M_2", 0.8, "second mass", "kg", above=0),
         Parameter("a", 0.4, "distance of the first mass from the bearing", "m", above=0),
         Parameter("b", 0.5, "distance of the second mass from the bearing", "m", above=0),
-        Parameter("alpha", pi / 6, "tilt of the stick against $𝛚$", "rad", above=0, most=pi / 2),
-        Parameter("omega", 3.0, "$ω$", "rad/s", above=0),
+        Parameter(
+            "alpha",
+            pi / 6,
+            r"tilt of the stick against $\boldsymbol\omega$",
+            "rad",
+            above=0,
+            most=pi / 2,
+        ),
+        Parameter("omega", 3.0, r"$\omega$", "rad/s", above=0),
     ),
     figure="two-masses",
     text="exercises/two_masses",
@@ -71,9 +79,10 @@ def free_flight(
 def two_masses(
     M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float
 ) -> Iterator[Outcome]:
-    """$𝐋$ and $𝐍$ follow from these formulas; sums over the two masses give the same. The flight is
-    that of Newton's law for each mass, with the pull of the stick: about its centre of mass the
-    stick turns with the part of $𝛚$ across it, about an axis parallel to the last $𝐋$."""
+    r"""$\mathbf L$ and $\mathbf N$ follow from these formulas; sums over the two masses give
+    the same. The flight is that of Newton's law for each mass, with the pull of the stick: about
+    its centre of mass the stick turns with the part of $\boldsymbol\omega$ across it, about an
+    axis parallel to the last $\mathbf L$."""
     moment = M_1 * a**2 + M_2 * b**2
     momentum = moment * omega * sin(alpha)
     torque = moment * omega**2 * sin(alpha) * cos(alpha)
@@ -81,12 +90,25 @@ def two_masses(
     free_rate = omega * sin(alpha)
     drift = omega * sin(alpha) * abs(M_1 * a - M_2 * b) / (M_1 + M_2)
     yield Answer("angular_momentum", "$L$, at right angles to the stick", momentum, "J s")
-    yield Answer("angle", "angle between $𝐋$ and $𝛚$, $π/2 − α$", pi / 2 - alpha, "rad")
     yield Answer(
-        "torque", "torque of the bearing, across the plane of stick and $𝛚$", torque, "N m"
+        "angle",
+        r"angle between $\mathbf L$ and $\boldsymbol\omega$, $\pi/2 - \alpha$",
+        pi / 2 - alpha,
+        "rad",
+    )
+    yield Answer(
+        "torque",
+        r"torque of the bearing, across the plane of stick and $\boldsymbol\omega$",
+        torque,
+        "N m",
     )
     yield Answer("force", "force of the bearing, from the centre of mass to the axis", force, "N")
-    yield Answer("free_rate", "$|𝛚|$ after it lets go, $ω sin α$", free_rate, "rad/s")
+    yield Answer(
+        "free_rate",
+        r"$|\boldsymbol\omega|$ after it lets go, $\omega \sin\alpha$",
+        free_rate,
+        "rad/s",
+    )
     yield Answer("free_period", "time of one turn then", 2 * pi / free_rate, "s")
     yield Answer("drift", "speed of the centre of mass then", drift, "m/s")
 
@@ -102,11 +124,17 @@ def two_masses(
         abs(float(np.linalg.norm(summed)) / momentum - 1),
         1e-12,
     )
-    yield Measure("its angle to $𝛚$ (rad)", abs(float(direction) - (pi / 2 - alpha)), 1e-12)
+    yield Measure(
+        r"its angle to $\boldsymbol\omega$ (rad)", abs(float(direction) - (pi / 2 - alpha)), 1e-12
+    )
     pushes = masses[:, None] * np.cross(axis, velocities)
     held = np.cross(positions, pushes).sum(axis=0) - np.array([torque, 0.0, 0.0])
     across = float(np.linalg.norm(held)) / (moment * omega**2)
-    yield Measure("$N$ as a sum of $𝐫 × 𝐅$ over the masses, relative to $Iω²$", across, 1e-12)
+    yield Measure(
+        r"$N$ as a sum of $\mathbf r \times \mathbf F$ over the masses, relative to $I\omega^2$",
+        across,
+        1e-12,
+    )
     period = 2 * pi / free_rate
     later, _ = free_flight(positions, velocities, masses, period / 4)
     turned = (later[0] - later[1]) / (a + b)

@@ -20,24 +20,28 @@ from .bodies import HEAVY_TOP, SPIN, angles, heavy_top, simple_rate, smallness
 
 bound_on_the_axis = Claim(
     "bound-on-the-axis",
-    "A top released with $𝛚$ along $e₃$ keeps $|ω⊥| ≤ 2Ω sin θ$, $Ω$ of (3.52).",
+    r"A top released with $\boldsymbol\omega$ along $\mathbf e_3$ keeps "
+    r"$|\omega_\perp| \leq 2\Omega \sin\theta$, $\Omega$ of (3.52).",
 )
 
 
 bound_on_the_tilt = Claim(
-    "bound-on-the-tilt", "Where it is lowest, $(1 − 4ε₀ cos θᵢ) sin²θ < sin²θᵢ$."
+    "bound-on-the-tilt",
+    r"Where it is lowest, $(1 - 4\varepsilon_0 \cos\theta_i) \sin^2\theta < \sin^2\theta_i$.",
 )
 
 
 bound_on_the_angle = Claim(
     "bound-on-the-angle",
-    "The tangent of the angle between $𝐋$ and $𝛚$ is at most $2ε₀|1 − λ₃/λ₁| sin θ$ at all times.",
+    r"The tangent of the angle between $\mathbf L$ and $\boldsymbol\omega$ is at most "
+    r"$2\varepsilon_0|1 - \lambda_3/\lambda_1|\sin\theta$ at all times.",
 )
 
 
 mean_of_the_cusps = Claim(
     "mean-of-the-cusps",
-    "To first order in $ε₀$ the mean precession of a released top is (3.52) times $1 + ε₀ cos θᵢ$.",
+    r"To first order in $\varepsilon_0$ the mean precession of a released top is (3.52) times "
+    r"$1 + \varepsilon_0 \cos\theta_i$.",
 )
 
 
@@ -95,18 +99,18 @@ DOUBLINGS = 8
 
 @exercise(
     "parallel-bound",
-    "How nearly $𝐋$ is parallel to $𝛚$",
+    r"How nearly $\mathbf L$ is parallel to $\boldsymbol\omega$",
     section="3.5.2",
     asks="“this would have to be shown”",
-    statement="A top is released at the angle $θ$, spinning about $e₃$, so that at first $𝐋$ and "
-    "$𝛚$ are "
-    "parallel. Show that for a weak torque they stay nearly so: find a bound on the angle between "
-    "them, for all times, in terms of $ε₀ = λ₁MgR/(λ₃ω₃)²$.\n\n"
-    "How good is the bound? Double the spin again and again, and compare with the largest angle of "
-    "the exact motion. How good is (3.52) for the mean precession?",
+    statement=r"A top is released at the angle $\theta$, spinning about $\mathbf e_3$, so that at "
+    r"first $\mathbf L$ and $\boldsymbol\omega$ are parallel. Show that for a weak "
+    "torque they stay nearly so: find a bound on the angle between them, for all times, "
+    "in terms of $\\varepsilon_0 = \\lambda_1MgR/(\\lambda_3\\omega_3)^2$.\n\nHow good "
+    "is the bound? Double the spin again and again, and compare with the largest angle "
+    "of the exact motion. How good is (3.52) for the mean precession?",
     claims=(parallel, bound_on_the_axis, bound_on_the_tilt, bound_on_the_angle, mean_of_the_cusps),
     parameters=(
-        Parameter("theta", pi / 6, "$θ$ at the start", "rad", above=0, most=3.1),
+        Parameter("theta", pi / 6, r"$\theta$ at the start", "rad", above=0, most=3.1),
         SPIN,
         *HEAVY_TOP,
     ),
@@ -114,10 +118,10 @@ DOUBLINGS = 8
     text="exercises/parallel_bound",
 )
 def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outcome]:
-    """A fast top has its largest angle between $𝐋$ and $𝛚$ at its lowest point, a slow one on the
-    way there. This angle and the mean precession are those of the exact motion, which an
-    integrated one confirms. In place of $sin θ$ the bound of the table has what bounds it,
-    $sin θᵢ/√(1 − 4ε₀ cos θᵢ)$."""
+    r"""A fast top has its largest angle between $\mathbf L$ and $\boldsymbol\omega$ at its
+    lowest point, a slow one on the way there. This angle and the mean precession are those of
+    the exact motion, which an integrated one confirms. In place of $\sin\theta$ the bound of the
+    table has what bounds it, $\sin\theta_i/\sqrt{1 - 4\varepsilon_0 \cos\theta_i}$."""
     top = heavy_top(**shape)
     if omega3 == 0:
         raise RigidtopError(
@@ -135,26 +139,32 @@ def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outc
 
     rows = tuple(compared(omega3 * 2**k) for k in range(DOUBLINGS))
     _, weak, bound, largest, share, mean, off, _ = rows[0]
-    yield Answer("epsilon_0", "$ε₀$", weak)
-    yield Answer("bound", "no angle between $𝐋$ and $𝛚$ exceeds", bound, "rad")
+    yield Answer("epsilon_0", r"$\varepsilon_0$", weak)
+    yield Answer(
+        "bound", r"no angle between $\mathbf L$ and $\boldsymbol\omega$ exceeds", bound, "rad"
+    )
     yield Answer("largest", "the largest angle is", largest, "rad")
     yield Answer("share", "the largest angle over the bound", share)
-    yield Answer("simple", "$Ω$ by (3.52)", simple_rate(top, omega3), "rad/s")
+    yield Answer("simple", r"$\Omega$ by (3.52)", simple_rate(top, omega3), "rad/s")
     yield Answer("mean", "mean precession", mean, "rad/s")
     yield Answer("off", "by how much it exceeds (3.52), relative", off)
-    yield Answer("off_first_order", "$ε₀ cos θᵢ$, the same to first order", weak * cos(theta))
+    yield Answer(
+        "off_first_order",
+        r"$\varepsilon_0 \cos\theta_i$, the same to first order",
+        weak * cos(theta),
+    )
     yield Table(
         "spins",
         "The spin doubled again and again",
         (
-            "$ω₃$ (rad/s)",
-            "$ε₀$",
+            r"$\omega_3$ (rad/s)",
+            r"$\varepsilon_0$",
             "bound (rad)",
             "largest angle (rad)",
             "their ratio",
-            "mean $φ̇$ (rad/s)",
+            r"mean $\dot\phi$ (rad/s)",
             "excess over (3.52)",
-            "$excess/ε₀$",
+            r"$\text{excess}/\varepsilon_0$",
         ),
         rows,
     )
@@ -163,7 +173,8 @@ def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outc
     yield Measure("by how much any angle of the table exceeds its bound", max(above, 0.0), 1e-9)
     motion = top.motion(theta=theta, omega3=omega3)
     yield Measure(
-        "the largest angle against that of $𝐋$ and $𝛚$ in space, integrated (rad)",
+        r"the largest angle against that of $\mathbf L$ and $\boldsymbol\omega$ in space, "
+        "integrated (rad)",
         abs(widest_on_the_way(motion) - largest),
         1e-11,
     )
@@ -171,7 +182,7 @@ def parallel_bound(theta: float, omega3: float, **shape: float) -> Iterator[Outc
     path = motion.integrate(motion.nutation_period / 2, rtol=1e-12, atol=1e-14)
     across = float(np.hypot(*path.omega[0, :2]))
     yield Measure(
-        "$|ω⊥|$ at the lowest point against $2Ω sin θ$ there, relative",
+        r"$|\omega_\perp|$ at the lowest point against $2\Omega \sin\theta$ there, relative",
         abs(across / (2 * top.weight[2] * sin(lowest) / abs(top.lambda3 * omega3)) - 1),
         1e-8,
     )

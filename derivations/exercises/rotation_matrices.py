@@ -48,26 +48,26 @@ HALVINGS = 6
     "Rotations form a group, but their order matters",
     section="3.4",
     asks="“these matrices form a group (see math)”",
-    statement="Let $A$ be a turn by the angle $2α₁$ about $𝐧₁$, $B$ one by $2α₂$ about $𝐧₂$, and "
-    "$γ$ the angle between these axes. Show that $AB$ is a rotation, and find its angle "
-    "and axis. Convince yourself of what else makes a group: a neutral element, inverses, $(AB)D "
-    "= A(BD)$ for a third turn $D$.\n\nThe order matters: by what angle do $AB$ and $BA$ "
-    "differ? Halve both angles again and again: what is that angle for small turns, and about "
-    "which axis?",
+    statement=r"Let $A$ be a turn by the angle $2\alpha_1$ about $\mathbf n_1$, $B$ one by "
+    r"$2\alpha_2$ about $\mathbf n_2$, and $\gamma$ the angle between these axes. Show "
+    "that $AB$ is a rotation, and find its angle and axis. Convince yourself of what "
+    "else makes a group: a neutral element, inverses, $(AB)D = A(BD)$ for a third turn "
+    "$D$.\n\nThe order matters: by what angle do $AB$ and $BA$ differ? Halve both angles "
+    "again and again: what is that angle for small turns, and about which axis?",
     claims=(rotation_group, product_of_rotations, commutator_of_rotations),
     parameters=(
-        Parameter("alpha", pi / 2, "angle $2α₁$ of $A$", "rad", least=-pi, most=pi),
-        Parameter("beta", pi / 2, "angle $2α₂$ of $B$", "rad", least=-pi, most=pi),
-        Parameter("gamma", pi / 2, "angle $γ$ between the axes", "rad", least=0, most=pi),
+        Parameter("alpha", pi / 2, r"angle $2\alpha_1$ of $A$", "rad", least=-pi, most=pi),
+        Parameter("beta", pi / 2, r"angle $2\alpha_2$ of $B$", "rad", least=-pi, most=pi),
+        Parameter("gamma", pi / 2, r"angle $\gamma$ between the axes", "rad", least=0, most=pi),
     ),
     figure="order-of-rotations",
     text="exercises/rotations_form_a_group",
 )
 def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[Outcome]:
-    """Angle and axis of $AB$ come from the half-angle formula, and are those of the product of the
-    matrices. $𝐧₁$ is $x̂$, and $𝐧₂$ lies in the plane of $x̂$ and $ŷ$. The unit matrix is a turn by
-    zero, the inverse a turn by the opposite angle, and a product of three matrices does not depend
-    on the brackets."""
+    r"""Angle and axis of $AB$ come from the half-angle formula, and are those of the product of
+    the matrices. $\mathbf n_1$ is $\hat{\mathbf x}$, and $\mathbf n_2$ lies in the plane of
+    $\hat{\mathbf x}$ and $\hat{\mathbf y}$. The unit matrix is a turn by zero, the inverse a
+    turn by the opposite angle, and a product of three matrices does not depend on the brackets."""
     first, second = np.array([1.0, 0.0, 0.0]), np.array([np.cos(gamma), np.sin(gamma), 0.0])
     A, B = about(first, alpha), about(second, beta)
     one = np.eye(3)
@@ -100,12 +100,12 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     )
     yield Table(
         "small_turns",
-        "Both angles halved: the angle of $ABA⁻¹B⁻¹$ and its axis",
+        "Both angles halved: the angle of $ABA^{-1}B^{-1}$ and its axis",
         (
-            "$2α₁$ (rad)",
-            "$2α₂$ (rad)",
+            r"$2\alpha_1$ (rad)",
+            r"$2\alpha_2$ (rad)",
             "angle (rad)",
-            "angle over $4α₁α₂$, in radians",
+            r"angle over $4\alpha_1\alpha_2$, in radians",
             "$x$",
             "$y$",
             "$z$",
@@ -119,9 +119,9 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
     errors = {
         "$AB$ by the half-angle formula, against the product": product - A @ B,
         "$AB$ is orthogonal": (A @ B).T @ (A @ B) - one,
-        "$det(AB) − 1$": np.linalg.det(A @ B) - 1,
-        "$A⁻¹$ is a turn by the opposite angle": about(first, -alpha) @ A - one,
-        "$(AB)D − A(BD)$": (A @ B) @ C - A @ (B @ C),
+        r"$\det(AB) - 1$": np.linalg.det(A @ B) - 1,
+        "$A^{-1}$ is a turn by the opposite angle": about(first, -alpha) @ A - one,
+        "$(AB)D - A(BD)$": (A @ B) @ C - A @ (B @ C),
         "angle of $AB$ against SciPy (rad)": np.linalg.norm(by_scipy) - angle,
     }
     for what, error in errors.items():

@@ -26,7 +26,8 @@ RPM = 30 / pi
 
 
 upright_potential = Claim(
-    "upright-potential", "The upright top is stable if $(λ₃ω₃)²$ is at least $4λ₁MgR$."
+    "upright-potential",
+    r"The upright top is stable if $(\lambda_3\omega_3)^2$ is at least $4\lambda_1MgR$.",
 )
 
 
@@ -83,17 +84,18 @@ class Waking:
     "sleeping-top",
     "The sleeping top, and how it wakes",
     section="3.5.4",
-    asks="$θ = 0$ is a value where $θ$ “could be constant” too",
-    statement="A top stands upright and spins with $ω₃$. How fast must it spin for the upright "
-    "to be "
-    "stable? How does a faster top answer a small disturbance?\n\n"
-    "A slower top is disturbed by a tiny tilt. How fast does the tilt grow, how far does the axis "
+    asks=r"$\theta = 0$ is a value where $\theta$ “could be constant” too",
+    statement=r"A top stands upright and spins with $\omega_3$. How fast must it spin for the "
+    "upright to be stable? How does a faster top answer a small disturbance?\n\nA slower "
+    "top is disturbed by a tiny tilt. How fast does the tilt grow, how far does the axis "
     "fall, and after which time is it back?",
     claims=(nutation, upright_potential, waking),
     parameters=(
         *HEAVY_TOP,
         replace(SPIN, default=6.0),
-        Parameter("disturbance", 1e-8, "$θ$ of the disturbed top", "rad", least=1e-12, most=0.01),
+        Parameter(
+            "disturbance", 1e-8, r"$\theta$ of the disturbed top", "rad", least=1e-12, most=0.01
+        ),
     ),
     figure="sleeping",
     text="exercises/sleeping_top",
@@ -112,11 +114,11 @@ def sleeping_top(omega3: float, disturbance: float, **shape: float) -> Iterator[
             f"disturbance of {disturbance:g} rad does not show whether the top sleeps"
         )
     yield Answer(
-        "sleeping_spin", "smallest $|ω₃|$ at which the upright is stable", threshold, "rad/s"
+        "sleeping_spin", r"smallest $|\omega_3|$ at which the upright is stable", threshold, "rad/s"
     )
     yield Answer("sleeping_rpm", "the same in turns a minute", threshold * RPM, "rpm")
     yield Measure(
-        "sleeping spin by the curvature of the potential at small $θ$, relative",
+        r"sleeping spin by the curvature of the potential at small $\theta$, relative",
         abs(_curvature_changes(top) / threshold - 1),
         1e-5,
     )
@@ -128,14 +130,14 @@ def sleeping_top(omega3: float, disturbance: float, **shape: float) -> Iterator[
     yield Table(
         "waking",
         "Slower than the sleeping spin",
-        ("$ω₃$ (rad/s)", "growth rate (1/s)", "tilt (rad)", "time to the largest tilt (s)"),
+        (r"$\omega_3$ (rad/s)", "growth rate (1/s)", "tilt (rad)", "time to the largest tilt (s)"),
         tuple((x.spin, x.growth, x.tilt, x.period / 2) for x in slower if x.wakes),
     )
     faster = [share * threshold for share in (1.01, 1.25, 1.5, 2, 4)]
     yield Table(
         "wobble",
         "Faster than the sleeping spin",
-        ("$ω₃$ (rad/s)", "slow wobble (rad/s)", "fast wobble (rad/s)"),
+        (r"$\omega_3$ (rad/s)", "slow wobble (rad/s)", "fast wobble (rad/s)"),
         tuple((spin, *top.steady_precession(0.0, spin)) for spin in faster),
     )
 
@@ -143,31 +145,33 @@ def sleeping_top(omega3: float, disturbance: float, **shape: float) -> Iterator[
 def _awake(waking: Waking) -> Iterator[Outcome]:
     motion = waking.motion()
     back = 2 / waking.growth * log(8 * sqrt(waking.sine2) / waking.disturbance)
-    yield Answer("growth_rate", "growth rate $σ$ of a small tilt", waking.growth, "1/s")
-    yield Answer("tilt", "$θ$ to which the top wakes", waking.tilt, "rad")
+    yield Answer("growth_rate", r"growth rate $\sigma$ of a small tilt", waking.growth, "1/s")
+    yield Answer("tilt", r"$\theta$ to which the top wakes", waking.tilt, "rad")
     yield Answer("period", "time until the tilt is smallest again", waking.period, "s")
-    yield Answer("period_log", "the same by ($2/σ$) $ln(8 sin(θ₂/2)/θᵢ)$", back, "s")
+    yield Answer(
+        "period_log", r"the same by ($2/\sigma$) $\ln(8 \sin(\theta_2/2)/\theta_i)$", back, "s"
+    )
     error = abs(motion.turning_points[1] - waking.tilt)
-    yield Measure("largest $θ$ of the disturbed top, in closed form (rad)", error, 1e-9)
+    yield Measure(r"largest $\theta$ of the disturbed top, in closed form (rad)", error, 1e-9)
     error = abs(motion.nutation_period / waking.period - 1)
     yield Measure("its period, in closed form, relative", error, 1e-9)
     path = motion.integrate([waking.period / 2, waking.period], **TIGHT)
     error = abs(float(path.theta[0]) - waking.tilt)
-    yield Measure("$θ$ half a period later, integrated (rad)", error, 1e-6)
+    yield Measure(r"$\theta$ half a period later, integrated (rad)", error, 1e-6)
 
 
 def _asleep(waking: Waking) -> Iterator[Outcome]:
     slow, fast = waking.top.steady_precession(0.0, waking.spin)
     yield Answer("slow_wobble", "slow frequency of a disturbance", slow, "rad/s")
     yield Answer("fast_wobble", "fast frequency of a disturbance", fast, "rad/s")
-    yield Answer("tilt", "largest $θ$ of the disturbed top", waking.disturbance, "rad")
+    yield Answer("tilt", r"largest $\theta$ of the disturbed top", waking.disturbance, "rad")
     # Not for longer than small differences in frequency stay small differences in angle.
     times = np.linspace(0, min(2 * pi / abs(slow), 60 * pi / abs(fast)), 41)
     path = waking.motion().integrate(times, **TIGHT).theta
     expected = waking.disturbance * np.abs(np.cos((fast - slow) / 2 * times))
     error = float(np.max(np.abs(path - expected))) / waking.disturbance
     allowed = 1e-6 + 100 * waking.disturbance**2
-    yield Measure("$θ(t)$ as the sum of both, integrated, relative", error, allowed)
+    yield Measure(r"$\theta(t)$ as the sum of both, integrated, relative", error, allowed)
 
 
 def _curvature_changes(top: HeavyTop) -> float:

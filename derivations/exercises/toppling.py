@@ -18,7 +18,8 @@ from rigidtop.proof.page import Claim, Measure
 from .bodies import ARM, GRAVITY, LAMBDA1, MASS
 
 time_to_fall = Claim(
-    "time-to-fall", "A top let go at $θᵢ$ at rest takes the time of an elliptic integral to fall."
+    "time-to-fall",
+    r"A top let go at $\theta_i$ at rest takes the time of an elliptic integral to fall.",
 )
 
 
@@ -39,14 +40,15 @@ def fall(top: HeavyTop, start: float, end: float) -> tuple[float, float]:
     "The toppling top",
     section="3.5.2",
     asks="example 34",
-    statement="A top leans at the angle $θ$ and is let go without any rotation, so that $𝐋 = 0$. "
-    "How does $𝐋$ evolve, and what motion is this? How long does the top take to fall to the "
-    "final angle, and how fast does it fall then? Compare with the time that exponential growth, "
-    "which holds for small angles, would give.",
+    statement=r"A top leans at the angle $\theta$ and is let go without any rotation, so that "
+    r"$\mathbf L = 0$. How does $\mathbf L$ evolve, and what motion is this? How long "
+    "does the top take to fall to the final angle, and how fast does it fall then? "
+    "Compare with the time that exponential growth, which holds for small angles, would "
+    "give.",
     claims=(toppling, time_to_fall),
     parameters=(
-        Parameter("theta", pi / 18, "$θ$ at the start", "rad", above=0, most=pi),
-        Parameter("until", pi / 2, "final $θ$", "rad", above=0, most=pi),
+        Parameter("theta", pi / 18, r"$\theta$ at the start", "rad", above=0, most=pi),
+        Parameter("until", pi / 2, r"final $\theta$", "rad", above=0, most=pi),
         LAMBDA1,
         MASS,
         ARM,
@@ -65,20 +67,22 @@ def toppling_top(
     top = HeavyTop(lambda1=lambda1, lambda3=lambda1 - M * R**2, M=M, R=R, g=g)
     seconds, rate = fall(top, theta, until)
     growth = sqrt(top.weight[2] / lambda1)
-    yield Answer("growth_rate", "growth rate $σ = √(MgR/λ₁)$ of a small tilt", growth, "1/s")
-    yield Answer("time_to_fall", "time until $θ$ has its final value", seconds, "s")
-    yield Answer("theta_dot", "$θ̇$ then", rate, "rad/s")
-    yield Answer("angular_momentum", "$L$ then, along $e₂′$", lambda1 * rate, "J s")
+    yield Answer(
+        "growth_rate", r"growth rate $\sigma = \sqrt{MgR/\lambda_1}$ of a small tilt", growth, "1/s"
+    )
+    yield Answer("time_to_fall", r"time until $\theta$ has its final value", seconds, "s")
+    yield Answer("theta_dot", r"$\dot\theta$ then", rate, "rad/s")
+    yield Answer("angular_momentum", r"$L$ then, along $\mathbf e_2'$", lambda1 * rate, "J s")
     yield Answer(
         "time_linear",
-        "time by $θ = θᵢ cosh σt$, for comparison",
+        r"time by $\theta = \theta_i \cosh\sigma t$, for comparison",
         float(np.arccosh(until / theta)) / growth,
         "s",
     )
 
     moved = top.motion(theta=theta, omega3=0.0).exact(seconds)
     yield Measure(
-        "$θ$ at that time, in closed form (rad)", abs(float(moved.theta[0]) - until), 1e-9
+        r"$\theta$ at that time, in closed form (rad)", abs(float(moved.theta[0]) - until), 1e-9
     )
 
 

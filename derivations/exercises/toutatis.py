@@ -76,27 +76,30 @@ DAY = 86400.0
     section="3.2.3",
     asks="example 33",
     statement="Takahashi, Busch & Scheeres (AJ 146:95, 2013) give the moments of the asteroid "
-    "Toutatis and its state of rotation on 9 November 1992; our $e₃$ is its long axis, "
-    "so that $λ₃$ is the smallest moment here. About which axis does $𝛚$ circle, how long does one "
-    "turn about the long axis take, and how long one turn of that axis about $𝐋$? Compute its "
-    "attitude for the times at which they give what radar saw, and compare.\n\nHow much of its "
-    "energy could friction inside the body still take, and about which axis would it then rotate? "
-    "Why do most asteroids rotate so already? (One degree per day is $2.02 × 10⁻⁷$ "
-    "rad/s; moments are in units of $λ₃$.)",
+    r"Toutatis and its state of rotation on 9 November 1992; our $\mathbf e_3$ is its "
+    r"long axis, so that $\lambda_3$ is the smallest moment here. About which axis does "
+    r"$\boldsymbol\omega$ circle, how long does one turn about the long axis take, and "
+    r"how long one turn of that axis about $\mathbf L$? Compute its attitude for the "
+    "times at which they give what radar saw, and compare.\n\nHow much of its energy "
+    "could friction inside the body still take, and about which axis would it then "
+    "rotate? Why do most asteroids rotate so already? (One degree per day is "
+    r"$2.02 \times 10^{-7}$ rad/s; moments are in units of $\lambda_3$.)",
     claims=(example_33,),
     parameters=(
-        Parameter("lambda1", float(MOMENTS[0]), "$λ₁$, about the body's $x$ axis", above=0),
-        Parameter("lambda2", float(MOMENTS[1]), "$λ₂$, about its $y$ axis", above=0),
-        Parameter("lambda3", float(MOMENTS[2]), "$λ₃$, about its long axis", above=0),
+        Parameter("lambda1", float(MOMENTS[0]), r"$\lambda_1$, about the body's $x$ axis", above=0),
+        Parameter("lambda2", float(MOMENTS[1]), r"$\lambda_2$, about its $y$ axis", above=0),
+        Parameter("lambda3", float(MOMENTS[2]), r"$\lambda_3$, about its long axis", above=0),
         *(
-            Parameter(f"omega{k + 1}", radians(rate) / DAY, f"$ω{'₁₂₃'[k]}$ at the start", "rad/s")
+            Parameter(
+                rf"omega{k + 1}", radians(rate) / DAY, rf"$\omega_{k + 1}$ at the start", "rad/s"
+            )
             for k, rate in enumerate(START.rates)
         ),
-        Parameter("ball", 0.5, "$λ₀$, moment of a ball in oil inside", above=0),
+        Parameter("ball", 0.5, r"$\lambda_0$, moment of a ball in oil inside", above=0),
         Parameter(
             "friction",
             0.2,
-            "$c/(λ₀ω)$, drag of the oil on the ball, with $ω$ at the start",
+            r"$c/(\lambda_0\omega)$, drag of the oil on the ball, with $\omega$ at the start",
             least=0.05,
             most=2,
         ),
@@ -113,14 +116,15 @@ def toutatis(
     ball: float,
     friction: float,
 ) -> Iterator[Outcome]:
-    """The motion is that of a free body without friction, carried on from the start in closed form.
-    From the published moments and start, half of the radar attitudes of December 1992 are met to
-    $5.6°$, and all to $15.9°$; two of the observed $𝛚$, of 7 and 14 December, do not go with the
-    $𝐋$ of all others. In 2008 $𝐋$ still points where it did, but the phase is lost: over a thousand
-    turns the last printed digits of moments and start can add up to some twenty degrees, and the
-    tides of the Sun and the Earth, which are left out here, to far more. With friction the body has
-    the ball in oil of section 3.2.3, far stronger than what rubs in a rock; $𝐋$ in space stays, and
-    the oil takes the energy that is missing at the end."""
+    r"""The motion is that of a free body without friction, carried on from the start in closed
+    form. From the published moments and start, half of the radar attitudes of December 1992 are
+    met to $5.6^\circ$, and all to $15.9^\circ$; two of the observed $\boldsymbol\omega$, of 7
+    and 14 December, do not go with the $\mathbf L$ of all others. In 2008 $\mathbf L$ still
+    points where it did, but the phase is lost: over a thousand turns the last printed digits of
+    moments and start can add up to some twenty degrees, and the tides of the Sun and the Earth,
+    which are left out here, to far more. With friction the body has the ball in oil of section
+    3.2.3, far stronger than what rubs in a rock; $\mathbf L$ in space stays, and the oil takes
+    the energy that is missing at the end."""
     moments = np.array([lambda1, lambda2, lambda3])
     omega = np.array([omega1, omega2, omega3]) * DAY  # the unit of time from here on: a day
     if lambda3 >= min(lambda1, lambda2):
@@ -151,17 +155,27 @@ def toutatis(
         )
     # Two equal moments, which are the largest here, leave the long axis as the one it circles.
     mode = "short axis" if motion.regime == "short axis" else "long axis"
-    yield Answer("mode", "$𝛚$ circles about the", mode)
-    yield Answer("rotation", "turn about the axis about which $𝛚$ circles", 2 * half, "days")
+    yield Answer("mode", r"$\boldsymbol\omega$ circles about the", mode)
+    yield Answer(
+        "rotation", r"turn about the axis about which $\boldsymbol\omega$ circles", 2 * half, "days"
+    )
     precession = 2 * pi / abs(motion.mean_precession)
-    yield Answer("precession", "turn of this axis about $𝐋$, on average", precession, "days")
+    yield Answer(
+        "precession", r"turn of this axis about $\mathbf L$, on average", precession, "days"
+    )
     least, greatest = motion.turning_points
-    yield Answer("least_tilt", "smallest angle between $𝐋$ and this axis", least, "rad")
-    yield Answer("greatest_tilt", "largest angle between $𝐋$ and this axis", greatest, "rad")
+    yield Answer("least_tilt", r"smallest angle between $\mathbf L$ and this axis", least, "rad")
+    yield Answer(
+        "greatest_tilt", r"largest angle between $\mathbf L$ and this axis", greatest, "rad"
+    )
     yield Table(
         "periods",
         "Periods: computed, and published for the long axis of Toutatis",
-        ("source", "turn of $𝛚$ about its axis (days)", "turn of this axis about $𝐋$ (days)"),
+        (
+            "source",
+            r"turn of $\boldsymbol\omega$ about its axis (days)",
+            r"turn of this axis about $\mathbf L$ (days)",
+        ),
         # With as many digits as are published.
         ((f"this motion, {mode}", float(f"{2 * half:.3g}"), float(f"{precession:.3g}")), *PERIODS),
     )
@@ -172,13 +186,13 @@ def toutatis(
         (
             "date",
             "days from the start",
-            "error of attitude ($°$)",
-            "tilt of long axis ($°$)",
-            "turn about long axis ($°$)",
-            "$𝛚$, direction ($°$)",
-            "$𝛚$ ($°/day$)",
-            "$𝐋$, direction ($°$)",
-            "$|𝐋|$, observed over computed",
+            r"error of attitude ($^\circ$)",
+            r"tilt of long axis ($^\circ$)",
+            r"turn about long axis ($^\circ$)",
+            r"$\boldsymbol\omega$, direction ($^\circ$)",
+            r"$\boldsymbol\omega$ ($^\circ/\text{day}$)",
+            r"$\mathbf L$, direction ($^\circ$)",
+            r"$|\mathbf L|$, observed over computed",
         ),
         rows,
     )
@@ -196,11 +210,11 @@ def toutatis(
     yield Measure("attitude in November and December 1992, integrated (rad)", apart, 1e-8)
     ten = motion.integrate(np.linspace(0, 20 * half, 2001), rtol=1e-12, atol=1e-14)
     back = float(np.linalg.norm(ten.omega[-1] - omega)) / speed
-    yield Measure("$ω$ after ten of its periods, integrated, relative", back, 1e-8)
+    yield Measure(r"$\omega$ after ten of its periods, integrated, relative", back, 1e-8)
     axis = ten.rotation.apply(np.eye(3)[int(free.solve(tuple(moments), tuple(omega)).axes[2])])
     counted = abs(turned(axis, ten.angular_momentum[0]))
     yield Measure(
-        "turns of the axis about $𝐋$ meanwhile (rad)",
+        r"turns of the axis about $\mathbf L$ meanwhile (rad)",
         abs(counted - abs(motion.mean_precession) * 20 * half),
         1e-7,
     )
@@ -219,13 +233,11 @@ def _last_digits(motion: Motion) -> Table:
         lambda1, lambda2, lambda3, *omega = (values | {name: values[name] + added}).values()
         moved = FreeBody(lambda1, lambda2, lambda3).motion(omega=omega, attitude=motion.attitude)
         turn = float((there.inv() * moved.exact(time).rotation[0]).magnitude())
-        letter = name.translate(str.maketrans("123", "₁₂₃"))
-        letter = letter.replace("lambda", "λ").replace("omega", "ω")
-        rows.append((f"${letter}$", change, degrees(turn)))
+        rows.append((rf"$\{name[:-1]}_{name[-1]}$", change, degrees(turn)))
     return Table(
         "last_digits",
         "Half of the last printed digit of moments and start, and the attitude of 2008",
-        ("changed", "by ($ω$: in $°/day$)", "change of attitude ($°$)"),
+        ("changed", r"by ($\omega$: in $^\circ/\text{day}$)", r"change of attitude ($^\circ$)"),
         tuple(rows),
     )
 
@@ -242,7 +254,7 @@ def _energies(moments: Vectors, omega: Vectors, ball: float, friction: float) ->
         ("axis", "moment", "energy over that at the start", "period (days)"),
         tuple(
             (
-                f"$e{'₁₂₃'[k]}$",
+                rf"$\mathbf e_{k + 1}$",
                 float(moment),
                 float(alone[k]) / energy,
                 float(2 * pi * moment / size),
@@ -265,7 +277,7 @@ def _energies(moments: Vectors, omega: Vectors, ball: float, friction: float) ->
         (
             "time (days)",
             "energy over that at the start",
-            "$𝐋$ from the axis of largest moment (rad)",
+            r"$\mathbf L$ from the axis of largest moment (rad)",
         ),
         tuple(
             (float(time), float(part), float(tilt))
@@ -274,7 +286,7 @@ def _energies(moments: Vectors, omega: Vectors, ball: float, friction: float) ->
     )
     yield Answer(
         "tilt_at_end",
-        "angle of $𝐋$ and the axis of the largest moment at the end",
+        r"angle of $\mathbf L$ and the axis of the largest moment at the end",
         float(tilts[-1]),
         "rad",
     )

@@ -43,9 +43,9 @@ from rigidtop.codegen.source import INDENT, WIDTH, Printer, body, broken, signat
 from rigidtop.codegen.values import Line, Value, Values
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption
-from rigidtop.proof.words import unmarked
 from rigidtop.theory.lettered import Lettered
 from rigidtop.theory.symbols import VOCABULARY
+from rigidtop.typeset.words import unmarked
 
 
 @dataclass(frozen=True)

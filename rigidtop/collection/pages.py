@@ -28,15 +28,13 @@ from rigidtop.notation.characters import unwritable
 from rigidtop.proof import units
 from rigidtop.proof.lecture import Fault, Heading, Illustration, Prose, Shown, Text
 from rigidtop.proof.page import Claim, Page
-from rigidtop.proof.words import bold
 from rigidtop.read.statements import statements
 from rigidtop.read.tables import Row, rows
 from rigidtop.terminal.files import text_of
 from rigidtop.theory.lettered import Lettered, in_order, matrix, positive, real
 from rigidtop.theory.symbols import Glyph
 from rigidtop.tree import nodes as n
-from rigidtop.tree.nodes import Letter, Node
-from rigidtop.tree.plain import plain
+from rigidtop.tree.nodes import Letter
 from rigidtop.tree.statement import Statement
 from rigidtop.typeset.latex import letter
 
@@ -76,7 +74,7 @@ def pages_of(folder: Path) -> tuple[tuple[str, str, str], ...]:
 def page_of(section: str, title: str, text: Text) -> Page:
     """A page with the claims that its text makes."""
     about = next((block.words for block in text.blocks if isinstance(block, Prose)), title)
-    return Page(section, title, _in_words(about), tuple(_claims(text)), text=text.name)
+    return Page(section, title, " ".join(about.split()), tuple(_claims(text)), text=text.name)
 
 
 def _claims(text: Text) -> Iterator[Claim]:
@@ -93,28 +91,7 @@ def _claims(text: Text) -> Iterator[Claim]:
             for name in dict.fromkeys((block.name, *(e.tag for e in block.line.equations))):
                 if name and name not in named:
                     named.add(name)
-                    yield Claim(name, _in_words(words).rstrip(".") + ".")
-
-
-def _in_words(sentence: str) -> str:
-    """A sentence with its formulas as they are read aloud, between dollars."""
-    return " ".join(_FORMULA.sub(_spelt, _LINK.sub(r"\1", sentence)).split())
-
-
-def _spelt(found: re.Match[str]) -> str:
-    read = statements(found[1])
-    if not all(isinstance(each, Statement) for each in read):
-        return found[0]
-    return ", ".join(f"${plain(_with_bold(x))}$" for x in read if isinstance(x, Statement))
-
-
-def _with_bold(each: Statement) -> Statement:
-    def change(node: Node) -> Node:
-        if isinstance(node, Letter) and node.bold and len(node.base) == 1:
-            return replace(node, base=bold(node.base), bold=False)
-        return node
-
-    return replace(each, sides=tuple(n.mapped(side, change) for side in each.sides))
+                    yield Claim(name, " ".join(words.split()).rstrip(".") + ".")
 
 
 # --- Letters -------------------------------------------------------------------------------------
@@ -209,13 +186,13 @@ def _row(row: Row) -> Iterator[tuple[Lettered, str]]:
         if glyph.bold != bold and not (glyph.bold and kind == "number"):
             raise RigidtopError(f"{latex.strip()}: a vector is bold, and what is bold is a vector")
         if kind == "matrix":
-            yield matrix(_name(glyph), glyph, _in_words(meaning), unit), kind
+            yield matrix(_name(glyph), glyph, meaning, unit), kind
             continue
         make = positive if kind.startswith("positive") else real
         unit = "" if unit == "–" else unit
-        yield make(_name(glyph), glyph, _in_words(meaning), unit), kind
+        yield make(_name(glyph), glyph, meaning, unit), kind
         if kind.endswith(("coordinate", "vector")) and unit:
-            said = _in_words(meaning)
+            said = meaning
             for accent, words in (("dot", "rate of"), ("ddot", "second rate of")):
                 unit = _per_second(unit)
                 fast = replace(glyph, accent=accent)

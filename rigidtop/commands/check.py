@@ -126,10 +126,10 @@ def _run(
     options: argparse.Namespace,
 ) -> int:
     from rigidtop.proof.page import by_lines
-    from rigidtop.proof.words import unmarked
     from rigidtop.report.records import measures, record
     from rigidtop.report.wording import Wording
     from rigidtop.terminal.table import paragraph, table, wants_color
+    from rigidtop.typeset.words import unmarked
 
     found = claims.named(collection, names) if names else claims.every(collection)
     every = options.thorough and not names

@@ -157,8 +157,8 @@ def _list(collection: Collection, as_json: bool) -> int:
 
         print_json([listed(exercise) for exercise in collection.exercises])
         return 0
-    from rigidtop.proof.words import unmarked
     from rigidtop.terminal.table import table
+    from rigidtop.typeset.words import unmarked
 
     rows = [
         [each.section, each.name, unmarked(f"{each.title} ({each.asks})")]

@@ -13,7 +13,7 @@ from rigidtop.commands.output import print_json
 from rigidtop.commands.settings import add_settings, apart, whole
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import settings
-from rigidtop.proof.words import unmarked
+from rigidtop.typeset.words import unmarked
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection

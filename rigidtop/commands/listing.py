@@ -26,9 +26,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Print the claims that are named, or all by section; the exit code is 0."""
     from rigidtop.collection import opened
-    from rigidtop.proof.words import unmarked
     from rigidtop.report.records import claim_record
     from rigidtop.terminal.table import table
+    from rigidtop.typeset.words import unmarked
 
     if options.chapters:
         return _chapters(options)

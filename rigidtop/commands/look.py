@@ -48,29 +48,23 @@ def front_of(options: argparse.Namespace, front: Front) -> Front:
 def _words(options: argparse.Namespace, name: str) -> str:
     """What an option says, its formulas, in LaTeX between dollars, as sentences have them."""
     from rigidtop.notation import NOTES
-    from rigidtop.proof.words import parts
     from rigidtop.read.page import Raw, pieces
-    from rigidtop.typeset.sentences import prose
-    from rigidtop.typeset.text import text
+    from rigidtop.typeset.words import parts, prose
 
     words: str | None = getattr(options, name)
     if words is None:
         return ""
     if not words.strip():
         raise RigidtopError(f"--{name} wants some words")
-    made = ""
-    for is_maths, part in parts(" ".join(words.split())):
-        if is_maths and "\\" in part:
-            (tree,) = pieces(f"${part}$", NOTES)
-            if isinstance(tree, Raw):
-                raise RigidtopError(f"--{name}: ${part}$ is not read as a formula")
-            part = text(tree)
-        made += f"${part}$" if is_maths else part
+    words = " ".join(words.split())
+    for is_maths, part in parts(words):
+        if is_maths and any(isinstance(each, Raw) for each in pieces(f"${part}$", NOTES)):
+            raise RigidtopError(f"--{name}: ${part}$ is not read as a formula")
     try:
-        prose(made)
+        prose(words)
     except ValueError as error:
         raise RigidtopError(f"--{name}: {error}") from error
-    return made
+    return words
 
 
 def look_of(options: argparse.Namespace) -> Look:

@@ -58,9 +58,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Print the conventions, or one symbol by symbol."""
     from rigidtop.notation import BUILT_IN, named
-    from rigidtop.proof.words import unmarked
     from rigidtop.report.notations import record, rows, turns
     from rigidtop.terminal.table import paragraph, table, terminal_width
+    from rigidtop.typeset.words import unmarked
 
     notations = [named(name) for name in options.name or BUILT_IN]
     if options.json:

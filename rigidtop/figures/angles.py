@@ -114,17 +114,20 @@ def euler_angles(sequence: str) -> Drawing:
 
     return Drawing(
         "euler-angles",
-        "Euler's angles: $φ$ about $ẑ$, $θ$ about $e₂′$, $ψ$ about $e₃$",
+        r"Euler's angles: $\phi$ about $\hat{\mathbf z}$, $\theta$ about $\mathbf e_2'$, $\psi$ "
+        r"about $\mathbf e_3$",
         "3.3",
         (
-            angle("phi", 60, "first, about $ẑ$"),
-            replace(angle("theta", 45, "second, about $e₂′$"), least=0, most=math.pi),
-            angle("psi", 45, "third, about $e₃$"),
+            angle("phi", 60, r"first, about $\hat{\mathbf z}$"),
+            replace(angle("theta", 45, r"second, about $\mathbf e_2'$"), least=0, most=math.pi),
+            angle("psi", 45, r"third, about $\mathbf e_3$"),
         ),
         lambda phi, theta, psi: _draw(sequence, phi, theta, psi),
-        "Euler's angles $φ$, $θ$ and $ψ$, here {phi:°}, {theta:°} and {psi:°}: three rotations, "
-        "each about the axis on the broad stripe, from $x̂ŷẑ$ (thin) to $e₁e₂e₃$. The axes that "
-        "move are dashed before and solid after the step.",
+        r"Euler's angles $\phi$, $\theta$ and $\psi$, here {phi:°}, {theta:°} and {psi:°}: three "
+        "rotations, each about the axis on the broad stripe, from "
+        r"$\hat{\mathbf x}\hat{\mathbf y}\hat{\mathbf z}$ (thin) to "
+        r"$\mathbf e_1\mathbf e_2\mathbf e_3$. The axes that move are dashed before and solid "
+        "after the step.",
         "Three drawings of a space-fixed frame x, y, z and of a body frame that is turned, first "
         "by phi, {phi:°} degrees, about z, which gives {nodes}; then by theta, {theta:°} "
         "degrees, about {nodes}, which brings e3 where it stays; last by psi, {psi:°} degrees, "

@@ -101,11 +101,11 @@ BICYCLE_WHEEL = Drawing(
     bicycle_wheel.parameters,
     pen.alone(2.9, _draw),
     "A bicycle wheel of {M} kg and radius {radius} m at $R = {R}$ m from the end $O$ of its "
-    "horizontal axle, with $ω₃ = {omega3}$ rad/s and $g = {g}$ m/s²: $L = {L}$ J s, and the torque "
-    "about $O$, $N = {N}$ N m, turns it {direction}, as seen from above, at $Ω = {precession}$ "
-    "rad/s, a turn in {period} s. The cord of {cord} m, drawn shorter, pulls with {tension} N and "
-    "leans by {lean:°}. Dashed: the circle of the tip of $𝐋$. Directions are computed, lengths of "
-    "arrows are not to scale.",
+    r"horizontal axle, with $\omega_3 = {omega3}$ rad/s and $g = {g}$ m/s²: $L = {L}$ J s, and the "
+    "torque about $O$, $N = {N}$ N m, turns it {direction}, as seen from above, at "
+    r"$\Omega = {precession}$ rad/s, a turn in {period} s. The cord of {cord} m, drawn shorter, "
+    r"pulls with {tension} N and leans by {lean:°}. Dashed: the circle of the tip of $\mathbf L$. "
+    "Directions are computed, lengths of arrows are not to scale.",
     "A wheel with spokes, seen aslant, on a horizontal axle; a cord that leans by {lean:°} degrees "
     "holds it at one end, O. The weight points down from the hub, L points {side} O, {aslant:°} "
     "degrees from the axle. The torque N at O is horizontal and points into the paper, and so does "

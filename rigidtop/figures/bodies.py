@@ -24,9 +24,9 @@ TOP = (
 )
 """A heavy top: MgR = 0.981 J, and about the centre of mass 0.01 kg m² each way."""
 
-THETA = Parameter("theta", math.pi / 3, "$θ$ at the start", "rad", least=0, most=math.pi)
-RATE = Parameter("phi_dot", 0.0, "$φ̇$ at the start", "rad/s")
-SPIN = Parameter("omega3", 40.0, "$ω₃$", "rad/s", above=0)
+THETA = Parameter("theta", math.pi / 3, r"$\theta$ at the start", "rad", least=0, most=math.pi)
+RATE = Parameter("phi_dot", 0.0, r"$\dot\phi$ at the start", "rad/s")
+SPIN = Parameter("omega3", 40.0, r"$\omega_3$", "rad/s", above=0)
 
 
 def of_top(told: Callable[..., T]) -> Callable[..., T]:
@@ -46,8 +46,8 @@ def facts_of(top: SymmetricTop, **more: Any) -> dict[str, Any]:
     """What captions say of a top, in {top}, of how it starts, in {start}, and `more`."""
     return {
         "MgR": top.M * top.g * top.R,
-        "top": "$λ₁ = {lambda1}$ kg m², $λ₃ = {lambda3}$ kg m² and $MgR = {MgR}$ J",
-        "start": "$θ = {theta:°}$ and $ω₃ = {omega3}$ rad/s",
+        "top": r"$\lambda_1 = {lambda1}$ kg m², $\lambda_3 = {lambda3}$ kg m² and $MgR = {MgR}$ J",
+        "start": r"$\theta = {theta:°}$ and $\omega_3 = {omega3}$ rad/s",
         **more,
     }
 
@@ -68,5 +68,6 @@ def has_phi(theta: float, phi_dot: float) -> None:
 def rates_in_words(theta: float, theta_dot: float = 0.0) -> str:
     """θ̇ = … and φ̇ = …, for a caption; without φ̇ where φ has no meaning."""
     if vertical(theta):
-        return f"$θ̇ = {{theta_dot}}${' rad/s' if theta_dot else ''}, where $φ$ has no meaning"
-    return "$θ̇ = {theta_dot}$ and $φ̇ = {phi_dot}$ rad/s"
+        unit = " rad/s" if theta_dot else ""
+        return rf"$\dot\theta = {{theta_dot}}${unit}, where $\phi$ has no meaning"
+    return r"$\dot\theta = {theta_dot}$ and $\dot\phi = {phi_dot}$ rad/s"

@@ -20,8 +20,10 @@ from rigidtop.parameters import Parameter
 BODY = (
     Parameter("lambda1", 1.0, "moment across the axis", "kg m²", above=0),
     Parameter("lambda3", 0.55, "moment about the axis", "kg m²", above=0),
-    Parameter("omega_0", 0.45, "magnitude of $𝛚$ across the axis", "rad/s", above=0),
-    Parameter("omega3", 1.0, "$ω₃$", "rad/s", above=0),
+    Parameter(
+        "omega_0", 0.45, r"magnitude of $\boldsymbol\omega$ across the axis", "rad/s", above=0
+    ),
+    Parameter("omega3", 1.0, r"$\omega_3$", "rad/s", above=0),
 )
 
 
@@ -112,10 +114,12 @@ CONES = Drawing(
     "3.2.3",
     BODY,
     _cones,
-    "The cones of a free symmetric body with $λ₁ = {lambda1} {relation} λ₃ = {lambda3}$ kg m², $ω₀ "
-    "= {omega_0}$ and $ω₃ = {omega3}$ rad/s. Left: in the body frame $𝛚$ and $𝐋$ go round $-e₃$ at "
-    "$Ω_b = {in_body}$ rad/s. Right: in the space frame $𝐋$ stands still, and the plane of the "
-    "three turns about it at $Ω_s = L/λ₁ = {in_space}$ rad/s.",
+    "The cones of a free symmetric body with "
+    r"$\lambda_1 = {lambda1} {relation} \lambda_3 = {lambda3}$ kg m², $\omega_0 = {omega_0}$ and "
+    r"$\omega_3 = {omega3}$ rad/s. Left: in the body frame $\boldsymbol\omega$ and $\mathbf L$ go "
+    r"round $-\mathbf e_3$ at $\Omega_b = {in_body}$ rad/s. Right: in the space frame $\mathbf L$ "
+    "stands still, and the plane of the three turns about it at "
+    r"$\Omega_s = L/\lambda_1 = {in_space}$ rad/s.",
     "Two drawings of three arrows from one point, always in one plane. In the body frame the arrow "
     "e3 stands upright and the tips of omega and of L, {tilt:°} and {lean:°} degrees from it, go "
     "round it on circles. In the space frame L stands upright, omega and e3 go round it.",
@@ -217,11 +221,12 @@ def _half_angles(motion: Motion) -> tuple[float, float]:
 def _touching(motion: Motion, side: str) -> str:
     lambda1, _, lambda3 = motion.body.moments
     if lambda1 == lambda3:
-        return "$𝛚$, $𝐋$ and the space cone are one line"
+        return r"$\boldsymbol\omega$, $\mathbf L$ and the space cone are one line"
     how = "rolls on the outside of" if lambda1 > lambda3 else "rolls with its inside on"
     return (
-        f"the body cone, of half angle ${{body_{side}}}°$, {how} the space cone, of "
-        f"${{space_{side}}}°$, and goes round $𝐋$ at $Ω_s = {{rate_{side}}}$ rad/s"
+        rf"the body cone, of half angle ${{body_{side}}}^\circ$, {how} the space cone, of "
+        rf"${{space_{side}}}^\circ$, and goes round $\mathbf L$ at $\Omega_s = {{rate_{side}}}$ "
+        "rad/s"
     )
 
 
@@ -244,14 +249,17 @@ ROLLING_CONES = Drawing(
         BODY[0],
         Parameter("lambda3", 0.5, "moment about the axis, left", "kg m²", above=0),
         Parameter("lambda3_right", 1.7, "moment about the axis, right", "kg m²", above=0),
-        Parameter("omega_0", 0.7, "magnitude of $𝛚$ across the axis", "rad/s", above=0),
+        Parameter(
+            "omega_0", 0.7, r"magnitude of $\boldsymbol\omega$ across the axis", "rad/s", above=0
+        ),
         BODY[3],
     ),
     _draw_rolling,
-    "The body cone (red, about $e₃$) rolls without slipping on the space cone (blue, about $𝐋$): "
-    "they touch along $𝛚$. Left, $λ₁ = {lambda1} {relation_left} λ₃ = {lambda3}$ kg m²: "
-    "{touching_left}. Right, $λ₁ = {lambda1} {relation_right} λ₃ = {lambda3_right}$ kg m²: "
-    "{touching_right}. $ω₀ = {omega_0}$ and $ω₃ = {omega3}$ rad/s.",
+    r"The body cone (red, about $\mathbf e_3$) rolls without slipping on the space cone (blue, "
+    r"about $\mathbf L$): they touch along $\boldsymbol\omega$. Left, "
+    r"$\lambda_1 = {lambda1} {relation_left} \lambda_3 = {lambda3}$ kg m²: {touching_left}. Right, "
+    r"$\lambda_1 = {lambda1} {relation_right} \lambda_3 = {lambda3_right}$ kg m²: "
+    r"{touching_right}. $\omega_0 = {omega_0}$ and $\omega_3 = {omega3}$ rad/s.",
     "Two pairs of cones with their tips at one point, which touch along the arrow omega: a body "
     "cone of half angle {body_left} and a space cone of {space_left} degrees; a body cone of half "
     "angle {body_right} and a space cone of {space_right} degrees. The space cone stands upright "

@@ -7,7 +7,6 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from io import BytesIO, StringIO
-from string import Formatter
 from typing import Any
 
 import matplotlib
@@ -82,43 +81,43 @@ class Drawing:
     def caption(self, **values: float) -> str:
         """What stands below it, at these values of its parameters."""
         facts = {**self.facts(**values), **values}
-        return self.wording(Telling(facts).format(self.printed))
+        return self.wording(told(self.printed, facts))
 
     def alternative(self, **values: float) -> str:
         """What is to be seen, in ASCII."""
-        return Telling({**self.facts(**values), **values}, aloud=True).format(self.spoken)
+        return told(self.spoken, {**self.facts(**values), **values}, aloud=True)
 
     def values(self, given: Mapping[str, float] | None = None) -> dict[str, float]:
         """Every parameter's value, those `given` checked against their ranges."""
         return settings(self.parameters, given or {})
 
 
-class Telling(Formatter):
-    """Fills words with numbers, as captions print them or as a screen reader says them `aloud`.
+_HOLE = re.compile(r"(?<![\w^}])\{([A-Za-z]\w*)(?::([^{}]+))?\}")
+"""What is filled in: braces in which a name stands, and which are none of a formula's."""
+
+
+def told(words: str, facts: Mapping[str, Any], *, aloud: bool = False) -> str:
+    """Words with their numbers, as captions print them or as a screen reader says them `aloud`.
 
     {x} is a number, {x:4} one of four digits, {x:°} an angle (rad) in degrees, {x:%} a share in per
     cent.  What is itself words may name others.
 
-    >>> Telling({"angle": 0.5, "where": "at {angle:°}"}).format("It is {where}.")
+    >>> told("It is {where}.", {"angle": 0.5, "where": "at {angle:°}"})
     'It is at 28.6°.'
     """
 
-    def __init__(self, facts: Mapping[str, Any], *, aloud: bool = False) -> None:
-        self.facts, self.aloud = facts, aloud
-
-    def get_value(self, key: int | str, args: Sequence[Any], kwargs: Mapping[str, Any]) -> Any:
-        """A fact by its name."""
-        return self.facts[str(key)]
-
-    def format_field(self, value: Any, spec: str) -> str:
-        """A number, or words with the numbers that they name."""
+    def number(hole: re.Match[str]) -> str:
+        value, spec = facts[hole[1]], hole[2] or ""
         if isinstance(value, str):
-            return self.format(value)
+            return told(value, facts, aloud=aloud)
         if spec == "°":
-            return look.spoken(math.degrees(value)) if self.aloud else look.degrees(value)
+            return look.spoken(math.degrees(value)) if aloud else look.degrees(value)
         value = 100 * value if spec == "%" else value
-        digits = int(spec) if spec.isdecimal() else 3
-        return look.spoken(value) if self.aloud else look.said(value, digits)
+        return (
+            look.spoken(value) if aloud else look.said(value, int(spec) if spec.isdecimal() else 3)
+        )
+
+    return _HOLE.sub(number, words)
 
 
 def one(motion: Callable[..., Motion]) -> Callable[..., Sequence[Motion]]:

@@ -67,17 +67,17 @@ def _toppling_facts(**values: float) -> dict[str, Any]:
 
 TOPPLING = Drawing(
     "toppling",
-    "The toppling top: $θ(t)$ without rotation",
+    r"The toppling top: $\theta(t)$ without rotation",
     "",
     (
         TOP[0],
         *TOP[2:],
-        Parameter("theta", 0.1, "$θ$ where it is let go", "rad", least=1e-6, most=1.57),
+        Parameter("theta", 0.1, r"$\theta$ where it is let go", "rad", least=1e-6, most=1.57),
     ),
     pen.alone(2.3, lambda axes, **values: draw_toppling(axes, _toppling(**values))),
-    "$θ$ of a top with $λ₁ = {lambda1}$ kg m² and $MgR = {MgR}$ J that is let go without rotation "
-    "at $θ = {theta:°}$: it lies after {fall} s. Dashed: what it would do without the table, a "
-    "pendulum that rests as high on the other side after {period} s.",
+    r"$\theta$ of a top with $\lambda_1 = {lambda1}$ kg m² and $MgR = {MgR}$ J that is let go "
+    r"without rotation at $\theta = {theta:°}$: it lies after {fall} s. Dashed: what it would do "
+    "without the table, a pendulum that rests as high on the other side after {period} s.",
     "Theta against time rises from {theta:°} degrees, slowly at first, to 90 degrees at {fall} "
     "seconds, where a dot is. A dashed curve goes on to 180 degrees and back, as that of a "
     "pendulum.",
@@ -127,18 +127,21 @@ def _sleeping_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, An
 
 SLEEPING = Drawing(
     "sleeping",
-    "The sleeping top wakes: turning points of $θ$ against $ω₃$",
+    r"The sleeping top wakes: turning points of $\theta$ against $\omega_3$",
     "",
     (
         *TOP,
-        Parameter("theta", math.radians(2), "$θ$ where it is let go", "rad", least=1e-6, most=0.5),
-        Parameter("omega3", 22.0, "$ω₃$ that is marked", "rad/s", least=0),
+        Parameter(
+            "theta", math.radians(2), r"$\theta$ where it is let go", "rad", least=1e-6, most=0.5
+        ),
+        Parameter("omega3", 22.0, r"$\omega_3$ that is marked", "rad/s", least=0),
     ),
     pen.alone(2.3, of_top(draw_sleeping)),
-    "How far a top with {top} falls that is let go at $θ = {theta:°}$ with $φ̇ = θ̇ = 0$, so $p_φ "
-    "≠ p_ψ$: its turning points, the start $θᵢ$ and $θ₂$, against $ω₃$. Left of the dotted line, "
-    "$ω₃ = {sleeping}$ rad/s, the upright top is not stable. Dots: at $ω₃ = {omega3}$ rad/s $θ$ "
-    "runs between {first:°} and {last:°}.",
+    r"How far a top with {top} falls that is let go at $\theta = {theta:°}$ with "
+    r"$\dot\phi = \dot\theta = 0$, so $p_\phi \neq p_\psi$: its turning points, the start "
+    r"$\theta_i$ and $\theta_2$, against $\omega_3$. Left of the dotted line, "
+    r"$\omega_3 = {sleeping}$ rad/s, the upright top is not stable. Dots: at $\omega_3 = {omega3}$ "
+    r"rad/s $\theta$ runs between {first:°} and {last:°}.",
     "The largest theta against the spin falls from 180 degrees without spin, ever more steeply, to "
     "nearly its start, {theta:°} degrees, at the spin {sleeping} radians per second, and stays "
     "there; the smallest theta stays at the start.",

@@ -22,9 +22,9 @@ from rigidtop.motion.motion import Motion
 from rigidtop.parameters import Parameter
 
 MOMENTS = (
-    Parameter("lambda1", 1.0, "moment about $e₁$", "kg m²", above=0),
-    Parameter("lambda2", 2.0, "moment about $e₂$", "kg m²", above=0),
-    Parameter("lambda3", 2.9, "moment about $e₃$", "kg m²", above=0),
+    Parameter("lambda1", 1.0, r"moment about $\mathbf e_1$", "kg m²", above=0),
+    Parameter("lambda2", 2.0, r"moment about $\mathbf e_2$", "kg m²", above=0),
+    Parameter("lambda3", 2.9, r"moment about $\mathbf e_3$", "kg m²", above=0),
 )
 LATE = 14.0
 """Of a motion on the separatrix, in units of its rate: from then on it rests, to 10⁻⁶."""
@@ -123,7 +123,8 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
 
 
 def _three(lambda1: float, lambda2: float, lambda3: float) -> str:
-    return f"$λ₁$, $λ₂$, $λ₃ = {', '.join(said(k, 4) for k in (lambda1, lambda2, lambda3))}$"
+    moments = ", ".join(said(k, 4) for k in (lambda1, lambda2, lambda3))
+    return rf"$\lambda_1$, $\lambda_2$, $\lambda_3 = {moments}$"
 
 
 def _polhodes_facts(**moments: float) -> dict[str, Any]:
@@ -138,7 +139,7 @@ def _polhodes_facts(**moments: float) -> dict[str, Any]:
         return facts
     return facts | {
         "which": "about the axes of the largest and the smallest moment they are closed, and the "
-        f"separatrix (thick) through the middle axis $e{'₁₂₃'[middle]}$ parts them",
+        rf"separatrix (thick) through the middle axis $\mathbf e_{middle + 1}$ parts them",
         "through": "Two thick curves cross at the ends of the middle axis, here omega"
         f"{middle + 1}, and part the others.",
     }
@@ -150,8 +151,8 @@ POLHODES = Drawing(
     "3.2.2",
     MOMENTS,
     pen.alone(2.7, lambda axes, **moments: draw_polhodes(axes, FreeBody(**moments))),
-    "Polhodes: the paths of $𝛚$ in the body frame on the energy ellipsoid $Σ λₖωₖ² = 2T$, for "
-    "{three} kg m²; {which}. Dashed and open: behind.",
+    r"Polhodes: the paths of $\boldsymbol\omega$ in the body frame on the energy ellipsoid "
+    r"$\sum \lambda_k\omega_k^2 = 2T$, for {three} kg m²; {which}. Dashed and open: behind.",
     "An ellipsoid with closed curves around the ends of its shortest and of its longest half axis, "
     "with heads that say which way omega goes. {through}",
     _polhodes_facts,
@@ -229,8 +230,8 @@ def _flip_facts(omega: float, kick: float, **moments: float) -> dict[str, Any]:
     )
     return {
         "three": _three(**moments),
-        "least": f"$e{'₁₂₃'[least]}$",
-        "middle": f"$e{'₁₂₃'[middle]}$",
+        "least": rf"$\mathbf e_{least + 1}$",
+        "middle": rf"$\mathbf e_{middle + 1}$",
         "number": middle + 1,
         "period": motion.nutation_period,
         "course": stays if share_near_ends(motion) > 0.5 else swings,
@@ -243,9 +244,9 @@ FLIP = Drawing(
     "",
     stable_axes.parameters,
     pen.alone(2.35, _draw_flip),
-    "The flip about the middle axis {middle}: $𝛚$ in the body frame for {three} kg m², from "
-    "{omega} rad/s about that axis and {kick} rad/s about {least}. The body turns over every "
-    "{period} s (dotted).",
+    r"The flip about the middle axis {middle}: $\boldsymbol\omega$ in the body frame for {three} "
+    "kg m², from {omega} rad/s about that axis and {kick} rad/s about {least}. The body turns over "
+    "every {period} s (dotted).",
     "The three components of omega against time. Omega {number} {course}. The time between turns "
     "is {period} seconds.",
     _flip_facts,
@@ -337,35 +338,43 @@ def _tumbling_course(motion: Motion) -> tuple[str, str]:
         turn = _lasting(2 * math.pi / math.hypot(*motion.omega))
         still = np.abs(motion.omega) == np.linalg.norm(motion.omega)
         if still[2] or still[0]:
-            rests, moves = ("$e₃$", "$e₁$") if still[2] else ("$e₁$", "$e₃$ (thick)")
+            rests, moves = (
+                (r"$\mathbf e_3$", r"$\mathbf e_1$")
+                if still[2]
+                else (r"$\mathbf e_1$", r"$\mathbf e_3$ (thick)")
+            )
             ways = f"{rests} rests and {moves} goes round a circle"
         else:
-            ways = "$e₃$ (thick) and $e₁$ go round circles"
+            ways = r"$\mathbf e_3$ (thick) and $\mathbf e_1$ go round circles"
         return (
-            "$𝐋$ rests (steady)",
-            f"the body turns about $𝐋$, and {ways}, back after {turn}; one turn is drawn",
+            r"$\mathbf L$ rests (steady)",
+            rf"the body turns about $\mathbf L$, and {ways}, back after {turn}; one turn is drawn",
         )
     drawn = f"{NUTATIONS} nutations are drawn"
     if kind == "separatrix":
         return (
-            "$𝐋$ tends to the middle axis and never comes back (separatrix)",
-            "$e₃$ (thick) and $e₁$ turn about $𝐋$ and never come back, as the body comes to turn "
-            "about its middle axis",
+            r"$\mathbf L$ tends to the middle axis and never comes back (separatrix)",
+            r"$\mathbf e_3$ (thick) and $\mathbf e_1$ turn about $\mathbf L$ and never come back, "
+            "as the body comes to turn about its middle axis",
         )
     turn = _lasting(2 * math.pi / abs(motion.mean_precession))
     if kind == "regular precession":
         own = _own_axis(FreeBody(*motion.body.moments))
-        circles = ("$e₁$", "$e₂$", "$e₃$ (thick)")[own]
-        rest = ("$e₃$ (thick) does", "$e₃$ (thick) and $e₁$ do", "$e₁$ does")[own]
+        circles = (r"$\mathbf e_1$", r"$\mathbf e_2$", r"$\mathbf e_3$ (thick)")[own]
+        rest = (
+            r"$\mathbf e_3$ (thick) does",
+            r"$\mathbf e_3$ (thick) and $\mathbf e_1$ do",
+            r"$\mathbf e_1$ does",
+        )[own]
         return (
-            f"$𝐋$ goes round a circle and comes back after {back} ({kind})",
-            f"{circles} goes round a circle about $𝐋$, back after {turn}, and {rest} not in "
-            f"general come back; {drawn}",
+            rf"$\mathbf L$ goes round a circle and comes back after {back} ({kind})",
+            rf"{circles} goes round a circle about $\mathbf L$, back after {turn}, and {rest} not "
+            f"in general come back; {drawn}",
         )
     return (
-        f"$𝐋$ comes back after {back} ({kind})",
-        f"this axis turns about $𝐋$, on the mean once in {turn}, and $e₃$ (thick) and $e₁$ never "
-        f"come back; {drawn}",
+        rf"$\mathbf L$ comes back after {back} ({kind})",
+        rf"this axis turns about $\mathbf L$, on the mean once in {turn}, and $\mathbf e_3$ "
+        rf"(thick) and $\mathbf e_1$ never come back; {drawn}",
     )
 
 
@@ -404,9 +413,9 @@ TUMBLING = Drawing(
     "",
     toutatis.parameters[:6],
     _draw_tumbling,
-    "A free body with {three} (in any unit) and at first $ω₁$, $ω₂$, $ω₃ = {omega1}, {omega2}, "
-    "{omega3}$ rad/s. Left: in the body {body}. Right: in space {space}. Dots, open where they are "
-    "behind: at first.",
+    r"A free body with {three} (in any unit) and at first $\omega_1$, $\omega_2$, "
+    r"$\omega_3 = {omega1}, {omega2}, {omega3}$ rad/s. Left: in the body {body}. Right: in space "
+    "{space}. Dots, open where they are behind: at first.",
     "Two spheres. On the left, in the body frame, {left}. On the right, in space, {right}.",
     _tumbling_facts,
     motions=one(_tumbling),

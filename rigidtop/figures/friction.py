@@ -39,8 +39,8 @@ def _facts_of(path: SlidingTrajectory, **more: Any) -> dict[str, Any]:
     top = path.motion.body
     return {
         "Mg": top.M * top.g,
-        "top": "$λ₁ = {lambda1}$ and $λ₃ = {lambda3}$ kg m² about the centre of mass, $Mg = {Mg}$ "
-        "N and $R = {R}$ m",
+        "top": r"$\lambda_1 = {lambda1}$ and $\lambda_3 = {lambda3}$ kg m² about the centre of "
+        "mass, $Mg = {Mg}$ N and $R = {R}$ m",
         "phi_dot": float(path.phi_dot[0]),
         "end": path.ended.time if path.ended else float(path.t[-1]),
         **more,
@@ -231,16 +231,16 @@ def _rising_facts(until: float, **values: float) -> dict[str, Any]:
 
 RISING = Drawing(
     "rising-top",
-    "Friction raises a fast top: $θ$, energy, slip and path",
+    r"Friction raises a fast top: $\theta$, energy, slip and path",
     "3.5.4",
     rising_top.parameters,
     _draw_rising,
-    "A top with {top}, a round tip of radius {tip} m and the friction $μ = {mu}$, from $θ = "
-    "{theta:°}$, $θ̇ = 0$, $φ̇ = {phi_dot}$ rad/s (steady if nothing rubs) and $ω₃ = {omega3}$ "
-    "rad/s: $θ$ {reached}. It slips, at first at {slip} m/s, {slips}.{ending} Of the {lost} mJ "
-    "that the spin has lost in the end (dashed), {heat:%} % went into heat, {weight:%} % into "
-    "lifting the weight and {other:%} % into other motion. Below on the right: the path of the "
-    "contact on the table, seen from above{dashed}.",
+    r"A top with {top}, a round tip of radius {tip} m and the friction $\mu = {mu}$, from "
+    r"$\theta = {theta:°}$, $\dot\theta = 0$, $\dot\phi = {phi_dot}$ rad/s (steady if nothing "
+    r"rubs) and $\omega_3 = {omega3}$ rad/s: $\theta$ {reached}. It slips, at first at {slip} m/s, "
+    "{slips}.{ending} Of the {lost} mJ that the spin has lost in the end (dashed), {heat:%} % went "
+    "into heat, {weight:%} % into lifting the weight and {other:%} % into other motion. Below on "
+    "the right: the path of the contact on the table, seen from above{dashed}.",
     "Theta against time goes from {theta:°} degrees down to {lowest:°}, while the slip of the "
     "contact goes to {standstill}. Three bands, heat, weight and other motion, add up to the "
     "energy that the spin has lost, {lost} millijoules in the end, of which heat is the most. "
@@ -330,7 +330,7 @@ def _waking_facts(**values: float) -> dict[str, Any]:
     seen = crossing(path, values["visible"])
     wakes = "a tilt of {visible:°} is not seen in the time that is shown"
     if seen is not None:
-        wakes = "a tilt of {visible:°} is only seen after {seen} s, at $ω₃ = {then}$ rad/s"
+        wakes = r"a tilt of {visible:°} is only seen after {seen} s, at $\omega_3 = {then}$ rad/s"
     return _facts_of(
         path,
         sleeping=about_tip(**body).sleeping_spin(),
@@ -345,14 +345,15 @@ def _waking_facts(**values: float) -> dict[str, Any]:
 
 WAKING = Drawing(
     "waking-top",
-    "The air wakes a sleeping top: $θ(t)$ and $ω₃(t)$",
+    r"The air wakes a sleeping top: $\theta(t)$ and $\omega_3(t)$",
     "",
     waking_top.parameters,
     _draw_waking,
-    "A top with {top} sleeps on a sharp tip that friction holds, from $ω₃ = {omega3}$ rad/s, $θ = "
-    "{disturbance:°}$, $θ̇ = 0$ and $φ̇ = {phi_dot}$ rad/s, which is $λ₃ω₃/2$ over $λ₁ + MR²$. The "
-    "torque of the air, $c₃ = {drag3}$ J s times $ω₃$, brings it down to the sleeping spin, "
-    "{sleeping} rad/s, after {asleep} s; {wakes} (dotted).{lies}",
+    r"A top with {top} sleeps on a sharp tip that friction holds, from $\omega_3 = {omega3}$ "
+    r"rad/s, $\theta = {disturbance:°}$, $\dot\theta = 0$ and $\dot\phi = {phi_dot}$ rad/s, which "
+    r"is $\lambda_3\omega_3/2$ over $\lambda_1 + MR^2$. The torque of the air, $c_3 = {drag3}$ J s "
+    r"times $\omega_3$, brings it down to the sleeping spin, {sleeping} rad/s, after {asleep} s; "
+    "{wakes} (dotted).{lies}",
     "Theta on a logarithmic scale and omega 3, both against time. The spin decays and goes through "
     "the sleeping spin, {sleeping} radians per second, at {asleep} seconds. Theta stays small "
     "until then; after that it grows, ever faster, and reaches {visible:°} degrees {reaches}.",

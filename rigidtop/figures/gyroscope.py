@@ -134,12 +134,12 @@ def _draw(tolerance: float, **values: float) -> Canvas:
 
 def _facts(tolerance: float, **values: float) -> dict[str, Any]:
     facts = answers(gyroscope, tolerance=tolerance, **values) | facts_of_axle(_motion(**values))
-    good = "off by no more than {tolerance:%} % from $|ω₃| = {spin_needed}$ rad/s on"
+    good = r"off by no more than {tolerance:%} % from $|\omega_3| = {spin_needed}$ rad/s on"
     least = "Below {smallest_spin} rad/s it cannot go round steadily."
     if isinstance(facts["smallest_spin"], str):
         least = "Any spin but 0 lets it go round steadily."
     return facts | {
-        "good": "exact at $90°$" if isinstance(facts["spin_needed"], str) else good,
+        "good": r"exact at $90^\circ$" if isinstance(facts["spin_needed"], str) else good,
         "threshold": f" {least}" if facts["smallest_spin"] else "",
         "rate": abs(facts["exact"]),
         "by_formula": abs(facts["simple"]),
@@ -148,16 +148,16 @@ def _facts(tolerance: float, **values: float) -> dict[str, Any]:
 
 GYROSCOPE = Drawing(
     "gyroscope",
-    "The gyroscope: torque, $L$ and precession; $Ω$ against $ω₃$",
+    r"The gyroscope: torque, $L$ and precession; $\Omega$ against $\omega_3$",
     "",
     gyroscope.parameters,
     _draw,
     "A gyroscope, a disc of {M} kg and radius {radius} m at $R = {R}$ m from the end $O$ of its "
-    "axle, at $θ = {theta:°}$ and $ω₃ = {omega3}$ rad/s, with $g = {g}$ m/s²: $L = {L}$ J s, and "
-    "the torque about $O$ of {N} N m turns it {direction}, as seen from above, at $Ω₋ = {exact}$ "
-    "rad/s, a turn in {period} s; dashed is the circle of the tip of $𝐋$. The curve: this rate "
-    "against the spin; (3.52) gives {simple} rad/s, and is {good}.{threshold} Directions are "
-    "computed, lengths of arrows are not to scale.",
+    r"axle, at $\theta = {theta:°}$ and $\omega_3 = {omega3}$ rad/s, with $g = {g}$ m/s²: "
+    "$L = {L}$ J s, and the torque about $O$ of {N} N m turns it {direction}, as seen from above, "
+    r"at $\Omega_- = {exact}$ rad/s, a turn in {period} s; dashed is the circle of the tip of "
+    r"$\mathbf L$. The curve: this rate against the spin; (3.52) gives {simple} rad/s, and is "
+    "{good}.{threshold} Directions are computed, lengths of arrows are not to scale.",
     "A disc on an axle that is held at its other end O, {theta:°} degrees from the upright. The "
     "weight points down from the centre of the disc, and L points {side} O, {aslant:°} degrees "
     "from the axle. The torque N at O is horizontal, at right angles to the axle, and so is the "

@@ -118,11 +118,11 @@ def _draw(axes: Axes, **values: float) -> None:
 def _facts(theta: float, **others: float) -> dict[str, Any]:
     facts = answers(gravity_on_a_solid, theta=theta, **others)
     if vertical(theta):
-        leans = "on the vertical, $θ = {theta:°}$, where it has no azimuth and $N = 0$"
+        leans = r"on the vertical, $\theta = {theta:°}$, where it has no azimuth and $N = 0$"
         return facts | {"leans": leans, "turning": "There is no torque, as the axis is vertical."}
     leans = (
-        "leaning at $θ = {theta:°}$ towards the azimuth {phi:°}; $𝐍$, along $e₂′$, of magnitude "
-        "$MgR sin θ = {torque}$ N m, is horizontal"
+        r"leaning at $\theta = {theta:°}$ towards the azimuth {phi:°}; $\mathbf N$, along "
+        r"$\mathbf e_2'$, of magnitude $MgR \sin\theta = {torque}$ N m, is horizontal"
     )
     turning = "The torque N points horizontally into the paper, at right angles to e3 and z."
     return facts | {"leans": leans, "turning": turning}
@@ -136,8 +136,8 @@ LEANING_CONE = Drawing(
     pen.alone(3.0, _draw),
     "A solid cone on its tip, of radius {radius} m, height {height} m and density {density} kg/m³, "
     "{leans}. The centre of mass of the cone is at $R = {R}$ m, three quarters of its height, and "
-    "with $M = {mass}$ kg and $g = {g}$ m/s² its potential energy is $MgR cos θ = {potential}$ J. "
-    "The cone is to scale, the arrows are not.",
+    "with $M = {mass}$ kg and $g = {g}$ m/s² its potential energy is "
+    r"$MgR \cos\theta = {potential}$ J. The cone is to scale, the arrows are not.",
     "A cone that stands on its tip, its axis e3 at {theta:°} degrees to the upright z. R_CM leads "
     "from the tip to the centre of mass, {R} metres, from which the weight Mg points down. Beside "
     "it its height over the tip is marked, R cos theta. {turning}",

@@ -108,17 +108,20 @@ def _paths_facts(**values: float) -> dict[str, Any]:
     return facts_of(motions[0].body, back=-values["phi_dot"], regimes=regimes)
 
 
-FIRST_RATE = Parameter("phi_dot", 1.6, "$φ̇$ at the start, in turn positive, 0, negative", "rad/s")
+FIRST_RATE = Parameter(
+    "phi_dot", 1.6, r"$\dot\phi$ at the start, in turn positive, 0, negative", "rad/s"
+)
 
 PATHS = Drawing(
     "paths",
-    "The path of $e₃$ on the sphere: waves, cusps, loops",
+    r"The path of $\mathbf e_3$ on the sphere: waves, cusps, loops",
     "3.5.4",
     (*TOP, THETA, FIRST_RATE, SPIN),
     _draw_paths,
-    "The path of $e₃$ on the sphere from {start} with $θ̇ = 0$ and $φ̇ = {phi_dot}$, 0 and {back} "
-    "rad/s, for {top}. The circles that a path touches lie at the turning points of $θ$. Below: "
-    "$θ$ against $φ$ from the start, for four nutations at most.",
+    r"The path of $\mathbf e_3$ on the sphere from {start} with $\dot\theta = 0$ and "
+    r"$\dot\phi = {phi_dot}$, 0 and {back} rad/s, for {top}. The circles that a path touches lie "
+    r"at the turning points of $\theta$. Below: $\theta$ against $\phi$ from the start, for four "
+    "nutations at most.",
     "Three spheres with the path of the figure axis between two circles of latitude, for a start "
     "with phi dot {phi_dot}, zero and {back} radians per second: {regimes}. Below each theta, "
     "downwards, against phi.",
@@ -209,13 +212,16 @@ def _motion_facts(theta: float, theta_dot: float, **others: float) -> dict[str, 
     first, last = np.degrees(motion.turning_points)
     rests = motion.regime in AT_REST
     if rests:
-        course = "$θ$ stays ${first}°$; $φ$ is drawn at the rate of a top nearby, {mean} rad/s."
+        course = (
+            r"$\theta$ stays ${first}^\circ$; $\phi$ is drawn at the rate of a top nearby, "
+            "{mean} rad/s."
+        )
     elif motion.regime == "steady":
-        course = "$θ$ stays ${first}°$, and $φ$ goes on at {mean} rad/s."
+        course = r"$\theta$ stays ${first}^\circ$, and $\phi$ goes on at {mean} rad/s."
     else:
         course = (
-            "$θ$ runs between ${first}°$ and ${last}°$ (dotted), there and back in {period} s; "
-            "dashed, $φ$ at its mean rate, {mean} rad/s."
+            r"$\theta$ runs between ${first}^\circ$ and ${last}^\circ$ (dotted), there and back in "
+            r"{period} s; dashed, $\phi$ at its mean rate, {mean} rad/s."
         )
     return facts_of(
         motion.body,
@@ -233,12 +239,12 @@ def _motion_facts(theta: float, theta_dot: float, **others: float) -> dict[str, 
 
 MOTION = Drawing(
     "motion",
-    "$θ(t)$, $φ(t)$ and the energies of a top",
+    r"$\theta(t)$, $\phi(t)$ and the energies of a top",
     "",
-    (*TOP, THETA, Parameter("theta_dot", 0.0, "$θ̇$ at the start", "rad/s"), RATE, SPIN),
+    (*TOP, THETA, Parameter("theta_dot", 0.0, r"$\dot\theta$ at the start", "rad/s"), RATE, SPIN),
     _draw_motion,
     "A top with {top} from {start}, {rates} ({regime}): {course} $T$ and $E$ are without the "
-    "constant $p_ψ²/(2λ₃)$.",
+    r"constant $p_\psi^2/(2\lambda_3)$.",
     "{seen}",
     _motion_facts,
     motions=one(_start),
@@ -365,25 +371,25 @@ def _regimes_facts(body: HeavyTop, theta: float, omega3: float, phi_dot: float) 
         least=least,
         reached=reached,
         upright=upright,
-        begins=" It begins at $ω₃ = {least}$ rad/s." if 0 < least < omega3 else "",
+        begins=r" It begins at $\omega_3 = {least}$ rad/s." if 0 < least < omega3 else "",
         loops=float(np.mean(regime_map(body, theta, *points) == "loops")),
     )
 
 
 REGIMES = Drawing(
     "regimes",
-    "A map of regimes over $ω₃$ and $φ̇$",
+    r"A map of regimes over $\omega_3$ and $\dot\phi$",
     "3.5.4",
     (
         *TOP,
         THETA,
-        Parameter("omega3", 60.0, "largest $ω₃$", "rad/s", above=0),
-        Parameter("phi_dot", 30.0, "largest $|φ̇|$", "rad/s", above=0),
+        Parameter("omega3", 60.0, r"largest $\omega_3$", "rad/s", above=0),
+        Parameter("phi_dot", 30.0, r"largest $|\dot\phi|$", "rad/s", above=0),
     ),
     pen.alone(2.8, of_top(draw_regimes)),
-    "What a top with {top} does that starts at $θ = {theta:°}$ with $θ̇ = 0$, for each $ω₃$ and "
-    "$φ̇$: waves, or loops (hatched), with cusps between (dashed), or a way through the vertical "
-    "(dotted).{upright} Solid: steady precession.{begins}",
+    r"What a top with {top} does that starts at $\theta = {theta:°}$ with $\dot\theta = 0$, for "
+    r"each $\omega_3$ and $\dot\phi$: waves, or loops (hatched), with cusps between (dashed), or a "
+    "way through the vertical (dotted).{upright} Solid: steady precession.{begins}",
     "A map over the spin and the first rate of precession. Areas of waves and hatched areas of "
     "loops, the latter {loops:%} per cent of it, are parted by dashed lines of cusps and dotted "
     "lines through the vertical. A solid curve of steady precession begins at the least spin, "

@@ -138,12 +138,12 @@ WOBBLING_PLATE = Drawing(
     "",
     wobbling_plate.parameters,
     _draw,
-    "A plate of radius {radius} m and thickness {thickness} m that is thrown up with $ω₃ = "
-    "{omega3}$ rad/s and its axis $e₃$ tilted by $θ = {theta:°}$ from $𝐋$, at {pictures} moments, "
-    "every half of a wobble, and the turns of $e₃$ and of a mark on its rim about $𝐋$. The wobble, "
-    "at {wobble} rad/s, is {wobble_to_mark} times as fast as the mark, at {mark} rad/s on the "
-    "mean; of a flat plate, tilted little, it is twice as fast. Feynman remembered the two "
-    "exchanged.",
+    "A plate of radius {radius} m and thickness {thickness} m that is thrown up with "
+    r"$\omega_3 = {omega3}$ rad/s and its axis $\mathbf e_3$ tilted by $\theta = {theta:°}$ from "
+    r"$\mathbf L$, at {pictures} moments, every half of a wobble, and the turns of $\mathbf e_3$ "
+    r"and of a mark on its rim about $\mathbf L$. The wobble, at {wobble} rad/s, is "
+    "{wobble_to_mark} times as fast as the mark, at {mark} rad/s on the mean; of a flat plate, "
+    "tilted little, it is twice as fast. Feynman remembered the two exchanged.",
     "A plate seen from the side, {pictures} times: its axis leans to the right and to the left in "
     "turn, {theta:°} degrees from the upright L, while a mark on its rim begins in front and goes "
     "round anticlockwise as seen from above. Below, turns against time: while e3 goes round L "

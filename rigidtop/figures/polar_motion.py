@@ -109,12 +109,13 @@ POLAR_MOTION = Drawing(
     "",
     earth_euler_period.parameters,
     pen.alone(3.05, draw_polar_motion),
-    "The pole of rotation, where $𝛚$ meets the ground, goes round the pole of the figure, $e₃$: "
-    "{direction}; seen from above. With $H = {H}$ and $ω₃ = {omega3}$ rad/s a rigid Earth needs "
-    "{period} days (dots, days outside). Observed are {observed:4} (circles, days inside), as if "
-    "{share:%} % of the bulge followed $𝛚$. At ${seconds}″$ from $e₃$ and {radius} m from the "
-    "centre the circle has a radius of {ground} m; for a rigid Earth $𝐋$ is {nearer} m nearer to "
-    "$e₃$ than $𝛚$.",
+    r"The pole of rotation, where $\boldsymbol\omega$ meets the ground, goes round the pole of the "
+    r"figure, $\mathbf e_3$: {direction}; seen from above. With $H = {H}$ and "
+    r"$\omega_3 = {omega3}$ rad/s a rigid Earth needs {period} days (dots, days outside). Observed "
+    "are {observed:4} (circles, days inside), as if {share:%} % of the bulge followed "
+    r"$\boldsymbol\omega$. At ${seconds}''$ from $\mathbf e_3$ and {radius} m from the centre the "
+    r"circle has a radius of {ground} m; for a rigid Earth $\mathbf L$ is {nearer} m nearer to "
+    r"$\mathbf e_3$ than $\boldsymbol\omega$.",
     "A circle of radius {ground} metres around the point e3, which the tip of omega goes round "
     "counterclockwise, seen from above. Dots with the days of a rigid Earth, which is back after "
     "{period}, and open circles with those of the observed wobble, which is back after {observed}.",

@@ -87,7 +87,7 @@ def _facts(theta: float, phi_dot: float, **others: float) -> dict[str, Any]:
     motion = _motion(theta=theta, phi_dot=phi_dot, **others)
     first, last = motion.turning_points
     at_rest = phi_dot == 0 and not vertical(theta)
-    rates = "$φ̇ = θ̇ = 0$" if at_rest else rates_in_words(theta)
+    rates = r"$\dot\phi = \dot\theta = 0$" if at_rest else rates_in_words(theta)
     return facts_of(motion.body, first=first, last=last, rates=rates, theta_dot=0.0)
 
 
@@ -97,10 +97,10 @@ EFFECTIVE_POTENTIAL = Drawing(
     "3.5.4",
     (*TOP, THETA, RATE, SPIN),
     pen.alone(2.5, lambda axes, **values: draw_effective_potential(axes, _motion(**values))),
-    "The effective potential $U$ and the energy $E$, both less the constant $p_ψ²/(2λ₃)$, of a top "
-    "with {top} that starts at {start} with {rates}. $θ$ runs between the turning points, "
-    "{first:°} and {last:°} (dotted); the square marks the steady precession with the same "
-    "momenta.",
+    "The effective potential $U$ and the energy $E$, both less the constant "
+    r"$p_\psi^2/(2\lambda_3)$, of a top with {top} that starts at {start} with {rates}. $\theta$ "
+    "runs between the turning points, {first:°} and {last:°} (dotted); the square marks the steady "
+    "precession with the same momenta.",
     "A valley-shaped curve of the effective potential against theta. A horizontal line at the "
     "energy E meets it at two turning points, {first:°} and {last:°} degrees; the lowest point "
     "lies between them.",

@@ -73,7 +73,7 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
 def _rates_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, Any]:
     slow, fast = body.steady_precession(theta, omega3)
     least = body.smallest_spin(theta)
-    left = " Left of the dotted line, $ω₃ = {least}$ rad/s, no steady precession exists."
+    left = r" Left of the dotted line, $\omega_3 = {least}$ rad/s, no steady precession exists."
     standing = (
         "Two curves that begin at a common point at the least spin, {least} radians per second. "
         "The fast rate rises to the straight line lambda3 omega3 over lambda1 cos theta, the slow "
@@ -89,7 +89,7 @@ def _rates_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, Any]:
         slow=slow,
         fast=fast,
         least=least,
-        other=" and $Ω₊ = {fast}$ rad/s" if math.isfinite(fast) else "",
+        other=r" and $\Omega_+ = {fast}$ rad/s" if math.isfinite(fast) else "",
         left=left if least else "",
         course=standing if least else hanging,
     )
@@ -97,12 +97,13 @@ def _rates_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, Any]:
 
 PRECESSION_RATES = Drawing(
     "precession-rates",
-    "$Ω₋$ and $Ω₊$ against $ω₃$, with the threshold",
+    r"$\Omega_-$ and $\Omega_+$ against $\omega_3$, with the threshold",
     "3.5.3",
     (*TOP, THETA, SPIN),
     pen.alone(2.5, of_top(draw_precession_rates)),
-    "The roots of (3.57) against $ω₃$ at $θ = {theta:°}$, for {top}; at $ω₃ = {omega3}$ rad/s they "
-    "are $Ω₋ = {slow}$ rad/s{other}. Dashed: what the notes give for large $ω₃$.{left}",
+    r"The roots of (3.57) against $\omega_3$ at $\theta = {theta:°}$, for {top}; at "
+    r"$\omega_3 = {omega3}$ rad/s they are $\Omega_- = {slow}$ rad/s{other}. Dashed: what the "
+    r"notes give for large $\omega_3$.{left}",
     "{course}",
     of_top(_rates_facts),
 )
@@ -187,18 +188,19 @@ def _asymptotics_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str,
     return facts_of(body, epsilon=weakness(body, theta, omega3), slow=slow, fast=fast)
 
 
-UPWARD = Parameter("theta", math.pi / 3, "$θ$", "rad", least=0, most=1.57)
+UPWARD = Parameter("theta", math.pi / 3, r"$\theta$", "rad", least=0, most=1.57)
 
 ASYMPTOTICS = Drawing(
     "asymptotics",
-    "How good the formulas for large $ω₃$ are",
+    r"How good the formulas for large $\omega_3$ are",
     "",
     (*TOP, UPWARD, SPIN),
     pen.alone(2.6, of_top(draw_asymptotics)),
-    "The relative error of $Ω₋ ≈ MgR/(λ₃ω₃)$ and $Ω₊ ≈ λ₃ω₃/(λ₁ cos θ)$, and of the same with the "
-    "next term in $ε$, against $ε$; at $ε = 1/4$ the two roots of (3.57) meet. Dots: a top with "
-    "{top} at $θ = {theta:°}$ and $ω₃ = {omega3}$ rad/s, $ε = {epsilon}$, where the first are off "
-    "by {slow:%} and {fast:%} %.",
+    r"The relative error of $\Omega_- \approx MgR/(\lambda_3\omega_3)$ and $\Omega_+ "
+    r"\approx \lambda_3\omega_3/(\lambda_1 \cos\theta)$, and of the same with the next term in "
+    r"$\varepsilon$, against $\varepsilon$; at $\varepsilon = 1/4$ the two roots of (3.57) meet. "
+    r"Dots: a top with {top} at $\theta = {theta:°}$ and $\omega_3 = {omega3}$ rad/s, "
+    r"$\varepsilon = {epsilon}$, where the first are off by {slow:%} and {fast:%} %.",
     "Relative errors against epsilon on logarithmic scales. To leading order the errors of both "
     "rates are about epsilon itself; with the next term they are of the order of its square. At "
     "epsilon {epsilon} they are {slow} and {fast}. A dotted line marks one per cent.",
@@ -304,7 +306,10 @@ def _parallel_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, An
     )
     course, most = "It is zero at every cusp and {largest:°} at most", "."
     if between:
-        most = ", $arcsin(|λ₁ − λ₃|/(λ₁ + λ₃))$, on the way down and again on the way up."
+        most = (
+            r", $\arcsin(|\lambda_1 - \lambda_3|/(\lambda_1 + \lambda_3))$, on the way down and "
+            "again on the way up."
+        )
     return facts_of(
         body,
         largest=largest,
@@ -317,14 +322,15 @@ def _parallel_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, An
 
 PARALLEL = Drawing(
     "parallel",
-    "$𝐋$ and $𝛚$ of a fast top are nearly parallel",
+    r"$\mathbf L$ and $\boldsymbol\omega$ of a fast top are nearly parallel",
     "",
-    (*TOP, THETA, Parameter("omega3", 150.0, "$ω₃$", "rad/s", above=0)),
+    (*TOP, THETA, Parameter("omega3", 150.0, r"$\omega_3$", "rad/s", above=0)),
     pen.alone(2.3, of_top(draw_parallel)),
-    "The angle between $𝐋$ and $𝛚$ of a top with {top} that is let go at $θ = {theta:°}$ with $ω₃ "
-    "= {omega3}$ rad/s and $𝛚$ along $e₃$. {course} Dashed: the bound that holds at any spin, its "
-    "tangent $2ε₀|1 − λ₃/λ₁| sin θ$ with the largest $sin θ$ that occurs, here {bound:°} with $ε₀ "
-    "= λ₁MgR/(λ₃ω₃)² = {weak}$.",
+    r"The angle between $\mathbf L$ and $\boldsymbol\omega$ of a top with {top} that is let go at "
+    r"$\theta = {theta:°}$ with $\omega_3 = {omega3}$ rad/s and $\boldsymbol\omega$ along "
+    r"$\mathbf e_3$. {course} Dashed: the bound that holds at any spin, its tangent "
+    r"$2\varepsilon_0|1 - \lambda_3/\lambda_1|\sin\theta$ with the largest $\sin\theta$ that "
+    r"occurs, here {bound:°} with $\varepsilon_0 = \lambda_1MgR/(\lambda_3\omega_3)^2 = {weak}$.",
     "The angle between L and omega against time {goes}. A dashed line that it never crosses is at "
     "the bound, {bound:°} degrees.",
     of_top(_parallel_facts),

@@ -168,11 +168,12 @@ ORDER_OF_ROTATIONS = Drawing(
     "",
     rotations_form_a_group.parameters,
     _draw,
-    "A book turned by $A$, $2α₁ = {alpha:°}$ about $𝐧₁$, and by $B$, $2α₂ = {beta:°}$ about $𝐧₂$, "
-    "axes at $γ = {gamma:°}$ that stay where they are. The cover bears an F, the darker back a "
-    "bar. Above $B$ comes first, below $A$; the matrix of what comes later stands to the left. "
-    "$AB$ is one turn, by {angle:°} about the axis ({axis}), $𝐧₁$ being along $x̂$ and $𝐧₂$ in the "
-    "plane of $x̂$ and $ŷ$. {apart}",
+    r"A book turned by $A$, $2\alpha_1 = {alpha:°}$ about $\mathbf n_1$, and by $B$, "
+    r"$2\alpha_2 = {beta:°}$ about $\mathbf n_2$, axes at $\gamma = {gamma:°}$ that stay where "
+    "they are. The cover bears an F, the darker back a bar. Above $B$ comes first, below $A$; the "
+    "matrix of what comes later stands to the left. $AB$ is one turn, by {angle:°} about the axis "
+    r"({axis}), $\mathbf n_1$ being along $\hat{\mathbf x}$ and $\mathbf n_2$ in the plane of "
+    r"$\hat{\mathbf x}$ and $\hat{\mathbf y}$. {apart}",
     "Two rows of three drawings of a book with an F on its cover. In the upper row it is turned "
     "first by B, {beta:°} degrees about n2, then by A, {alpha:°} degrees about n1, and ends at A "
     "B; in the lower row first by A, then by B, and ends at B A. Between the axes are {gamma:°} "

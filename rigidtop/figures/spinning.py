@@ -135,7 +135,8 @@ SPINNING_TOP = Drawing(
     (*TOP, replace(THETA, default=0.85), RATE, SPIN),
     _draw,
     "A top with {top} from {start}, {rates}, and the path of its axis ({regime}); the line on the "
-    "lid is $e₁$. In {flashes} flashes of light, {apart} s apart, where it does not move.",
+    r"lid is $\mathbf e_1$. In {flashes} flashes of light, {apart} s apart, where it does not "
+    "move.",
     "A top on a table at {flashes} numbered moments, leaning to all sides as it goes round the "
     "vertical, and the path of its axis, of the kind {regime}, between {first:°} and {last:°} "
     "degrees from the vertical.",

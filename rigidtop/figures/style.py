@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from rigidtop.notation.characters import SUPERSCRIPTS
-from rigidtop.typeset.sentences import tex
+from rigidtop.typeset.words import tex
 
 Canvas: TypeAlias = Figure
 Floats: TypeAlias = NDArray[np.float64]

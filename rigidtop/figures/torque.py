@@ -93,7 +93,9 @@ def _facts(**values: float) -> dict[str, Any]:
     lean = float(unit(start.angular_momentum[0]) @ start.e3[0])
     rate = float(start.phi_dot[0])
     steady = "the top goes round at {rate} rad/s, its exact slow rate"
-    where = "it points into the paper, and the tip of $𝐋$ follows it round $ẑ$"
+    where = (
+        r"it points into the paper, and the tip of $\mathbf L$ follows it round $\hat{\mathbf z}$"
+    )
     points = (
         f"The torque N points horizontally {'into' if along[0] < 0 else 'out of'} the paper, at "
         "right angles to e3 and to z, and so does the change of L at its tip, along a dashed "
@@ -104,7 +106,7 @@ def _facts(**values: float) -> dict[str, Any]:
         where=where if np.any(along) else "on the vertical there is none",
         size=float(np.linalg.norm(torque(motion))),
         rate=rate,
-        goes=steady if rate else "$𝛚$ is along $e₃$ at first",
+        goes=steady if rate else r"$\boldsymbol\omega$ is along $\mathbf e_3$ at first",
         lean=math.acos(min(1.0, max(-1.0, lean))),
         points=points if along[0] else "There is no torque, as the axis is vertical.",
     )
@@ -112,17 +114,18 @@ def _facts(**values: float) -> dict[str, Any]:
 
 TORQUE_ARROWS = Drawing(
     "torque",
-    "The torque of the weight, $𝐋$ and $𝛚$: into the paper",
+    r"The torque of the weight, $\mathbf L$ and $\boldsymbol\omega$: into the paper",
     "3.5.2",
     (
         *TOP,
-        Parameter("theta", math.pi / 4, "$θ$", "rad", least=0, most=math.pi),
-        Parameter("omega3", 30.0, "$ω₃$", "rad/s", above=0),
+        Parameter("theta", math.pi / 4, r"$\theta$", "rad", least=0, most=math.pi),
+        Parameter("omega3", 30.0, r"$\omega_3$", "rad/s", above=0),
     ),
     pen.alone(2.75, lambda axes, **values: draw_torque(axes, _motion(**values))),
-    "The torque $𝐍 = 𝐑_CM × M𝐠$ of the weight, with $e₃$ leaning to the right in the plane of the "
-    "paper: {where}. At {start}, with {top}, its magnitude is {size} N m, and {goes}. Directions "
-    "are computed, lengths are not to one scale.",
+    r"The torque $\mathbf N = \mathbf R_{\text{CM}} \times M\mathbf g$ of the weight, with "
+    r"$\mathbf e_3$ leaning to the right in the plane of the paper: {where}. At {start}, with "
+    "{top}, its magnitude is {size} N m, and {goes}. Directions are computed, lengths are not to "
+    "one scale.",
     "A top on a table, its axis e3 leaning to the right. From the contact point O the arrows e3, "
     "omega and L, L {lean:°} degrees from e3. The weight points down from the centre of mass. "
     "{points}",

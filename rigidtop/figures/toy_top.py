@@ -204,12 +204,12 @@ TOY_TOP = Drawing(
     _draw,
     "A top, a disc of {disc_mass} kg, radius {disc_radius} m and thickness {disc_thickness} m at "
     "{disc_height} m on a stem of {stem_mass} kg and {stem_length} m, with $g = {g}$ m/s², leaning "
-    "by $θ = {theta:°}$, to scale. Right: its axis, $θ$ outwards and $φ$ around, let go with "
-    "{spin_rpm:4} turns a minute and $𝛚$ along $e₃$, {goes}. Below: turns and nutations in a "
-    "second, against the spin, at this tilt. In steady precession the axis takes {slow_turn} s for "
-    "a turn; pushed a little, it nutates {nutation} times a second. Upright, it sleeps from "
-    "{sleeping_rpm:4} turns a minute on. The spin has {energy} J, which could lift it by {height} "
-    "m.",
+    r"by $\theta = {theta:°}$, to scale. Right: its axis, $\theta$ outwards and $\phi$ around, let "
+    r"go with {spin_rpm:4} turns a minute and $\boldsymbol\omega$ along $\mathbf e_3$, {goes}. "
+    "Below: turns and nutations in a second, against the spin, at this tilt. In steady precession "
+    "the axis takes {slow_turn} s for a turn; pushed a little, it nutates {nutation} times a "
+    "second. Upright, it sleeps from {sleeping_rpm:4} turns a minute on. The spin has {energy} J, "
+    "which could lift it by {height} m.",
     "A disc on a thin stem whose tip is on a table, leaning by {theta:°} degrees. Beside it the "
     "path of its axis from above, which {falls}, inside a dotted circle at the tilt, {touching:°} "
     "degrees, at which the rim touches. Below, the turns of the axis in a second fall with the "

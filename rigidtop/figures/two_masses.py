@@ -118,8 +118,8 @@ def _facts(**values: float) -> dict[str, Any]:
     bearing = "$L$ stays where it is: the bearing exerts no torque"
     if turns:
         bearing = (
-            "As $𝐋$ turns with the stick, the bearing exerts the torque $𝐍 = 𝛚 × 𝐋$ of {torque} N "
-            "m, out of the plane of the paper"
+            r"As $\mathbf L$ turns with the stick, the bearing exerts the torque $\mathbf N = "
+            r"\boldsymbol\omega \times \mathbf L$ of {torque} N m, out of the plane of the paper"
         )
     across = "The torque N points out of the paper, across the plane of stick and omega."
     push = "the force $F = {force}$ N, from the centre of mass to the axis"
@@ -135,15 +135,15 @@ def _facts(**values: float) -> dict[str, Any]:
 
 TWO_MASSES = Drawing(
     "two-masses",
-    "Two masses on a stick: $𝛚$, $𝐋$, and what the bearing exerts",
+    r"Two masses on a stick: $\boldsymbol\omega$, $\mathbf L$, and what the bearing exerts",
     "",
     two_masses.parameters,
     pen.alone(2.8, lambda axes, **values: draw_two_masses(axes, stick(**values))),
-    "Two masses on a stick, $M₁ = {M_1}$ kg at $a = {a}$ m and $M₂ = {M_2}$ kg at $b = {b}$ m, "
-    "which a bearing turns at $ω = {omega}$ rad/s, tilted by $α = {alpha:°}$. $𝐋$ is at right "
-    "angles to the stick, {angle:°} from $𝛚$, of magnitude {angular_momentum} J s. {couple}, and "
-    "{push}. Grey: the shaft of the bearing. Directions are computed, lengths of arrows are not to "
-    "one scale.",
+    "Two masses on a stick, $M_1 = {M_1}$ kg at $a = {a}$ m and $M_2 = {M_2}$ kg at $b = {b}$ m, "
+    r"which a bearing turns at $\omega = {omega}$ rad/s, tilted by $\alpha = {alpha:°}$. "
+    r"$\mathbf L$ is at right angles to the stick, {angle:°} from $\boldsymbol\omega$, of "
+    "magnitude {angular_momentum} J s. {couple}, and {push}. Grey: the shaft of the bearing. "
+    "Directions are computed, lengths of arrows are not to one scale.",
     "A stick with a mass at either end goes through a bearing, tilted by {alpha:°} degrees against "
     "the upright arrow omega; dashed circles about omega are the ways of the masses. The arrow L "
     "leans to the other side, {angle:°} degrees from omega, at right angles to the stick. "

@@ -121,7 +121,7 @@ def _point(place: Floats, weight: Floats, words: str, size: float) -> list[pen.P
 
 def _facts(**values: float) -> dict[str, Any]:
     body, facts = points(**values), answers(gravity_on_points, **values)
-    masses = ", ".join(f"$m{'₁₂₃'[k]} = {said(mass)}$" for k, mass in enumerate(body.masses))
+    masses = ", ".join(f"$m_{k + 1} = {said(mass)}$" for k, mass in enumerate(body.masses))
     centre, torque = "{centre_x}, {centre_y}, {centre_z}", "{torque_x}, {torque_y}, {torque_z}"
     facts |= {f"torque_{letter}": facts[f"torque_{letter}"] + 0.0 for letter in "xyz"}
     facts |= {"masses": masses, "centre": centre}
@@ -140,10 +140,11 @@ WEIGHTS = Drawing(
     gravity_on_points.parameters,
     pen.alone(2.7, lambda axes, **values: draw_weights(axes, points(**values))),
     "Three masses, {masses} kg, held together by light rods and held at the origin, and their "
-    "weights at $g = {g}$ m/s². The whole mass $M = {mass}$ kg at the centre of mass, $𝐑_CM = "
-    "({centre})$ m, has their torque: $Σ 𝐫ₖ × mₖ𝐠 = 𝐑_CM × M𝐠$, {turning}; and their potential "
-    "energy, {potential} J. Weights are drawn to one scale, places to another; dotted lines lead "
-    "to the plane of $x̂$ and $ŷ$.",
+    "weights at $g = {g}$ m/s². The whole mass $M = {mass}$ kg at the centre of mass, "
+    r"$\mathbf R_{\text{CM}} = ({centre})$ m, has their torque: $\sum \mathbf r_k "
+    r"\times m_k\mathbf g = \mathbf R_{\text{CM}} \times M\mathbf g$, {turning}; and their "
+    "potential energy, {potential} J. Weights are drawn to one scale, places to another; dotted "
+    r"lines lead to the plane of $\hat{\mathbf x}$ and $\hat{\mathbf y}$.",
     "Three balls at the ends of rods from one point, each with an arrow down, its weight. From the "
     "same point R_CM leads to the centre of mass, {centre_z} metres above it, where one arrow Mg "
     "points down, as long as the other three together. {torque}",

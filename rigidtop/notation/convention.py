@@ -47,9 +47,9 @@ MEANINGS: Mapping[str, Mapping[Symbol, str]] = {
     "zyz": {},
     "zxz": {
         s.phi: "first Euler angle: azimuth of the line of nodes",
-        s.psi: "third Euler angle: turn about $e₃$ from the line of nodes",
-        s.e1p: "line of nodes: $e₁$ after $φ$",
-        s.e2p: "$e₂$ before the last Euler rotation",
+        s.psi: r"third Euler angle: turn about $\mathbf e_3$ from the line of nodes",
+        s.e1p: r"line of nodes: $\mathbf e_1$ after $\phi$",
+        s.e2p: r"$\mathbf e_2$ before the last Euler rotation",
     },
 }
 """What the letters mean there, where that is not what they mean in the notes."""

@@ -1,14 +1,14 @@
-"""What a derivation page is made of: claims, and the evidence that each one yields.
+r"""What a derivation page is made of: claims, and the evidence that each one yields.
 
 A claim is a function.  Its docstring is the reason, in one sentence; its body takes the equation
 as the page prints it, lets the engine go its own way, and yields what there is to see: a `Check` of
 the equation against the engine, a `Correction`, a `Measure` of a computed motion, or a `Step` of
 the engine's own that no page prints.  `rigidtop.proof.verdict.judge` runs it.  Mathematics in
-sentences stands between dollars: `rigidtop.proof.words`::
+sentences stands between dollars: `rigidtop.typeset.words`::
 
-    @claim("3.45", "$φ̇$ from the two conserved momenta")
+    @claim("3.45", r"$\dot\phi$ from the two conserved momenta")
     def azimuthal_rate():
-        '''(3.43) resolved along $ẑ$ and $e₃$, solved for $φ̇$; $sin²θ$ is divided out.'''
+        r'''(3.43) along $\hat{\mathbf z}$ and $\mathbf e_3$; $\sin^2\theta$ is divided out.'''
         tilted = Assumption(Ne(sin(theta), 0), "the top is not upright and does not hang")
         yield Check(printed("3.45"), {L_z: …, L3: …}, assuming=(tilted,))
 """

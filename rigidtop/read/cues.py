@@ -134,7 +134,8 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"\bat the (?:time|moment|instant) §[^§]*",
         r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
         r"\b(?:initially|at first|(?<!hangs )(?<!is )(?<!are )(?<!lies )at rest)\b[^§,]*,?",
-        r"\b(?:am (?:Anfang|Ende|Boden)|[ai]m (?:Perihel|Aphel|Perigäum|Apogäum|Umkehrpunkt|Scheitel|tiefsten Punkt|höchsten Punkt"
+        r"\b(?:am (?:Anfang|Ende|Boden)|[ai]m (?:Perihel|Aphel|Perigäum|Apogäum|Umkehrpunkt"
+        r"|Scheitel|tiefsten Punkt|höchsten Punkt"
         r"|Moment)|oben|unten|zur Zeit|zum Zeitpunkt|anfangs|zu Beginn)\b[^§]*",
         r"(?:\b|^)(?:à l['’](?:instant|apogée|aphélie)|au (?:début|départ|sommet|périgée|périhélie"
         r"|point le plus (?:haut|bas))|initialement"

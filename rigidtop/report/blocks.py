@@ -17,7 +17,7 @@ from rigidtop.proof.verdict import (
 from rigidtop.typeset import sizes
 from rigidtop.typeset.layout import Order
 from rigidtop.typeset.nodes import Node
-from rigidtop.typeset.sentences import printed_unit
+from rigidtop.typeset.words import printed_unit
 
 T = TypeVar("T")
 Judged = Sequence[tuple[Page, Sequence[Judgement]]]

@@ -11,14 +11,13 @@ from html import escape
 from importlib.resources import files
 
 from rigidtop.proof.verdict import Verdict
-from rigidtop.proof.words import unbold, unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.transcript import transcript
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import mathml, sizes
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset.latex import aligned, aligned_lines, latex
-from rigidtop.typeset.sentences import tex, tied, written
+from rigidtop.typeset.words import characters, tex, tied, unmarked, written
 
 NARROW = 36.0
 """How many letters wide a line is on a small screen."""
@@ -36,7 +35,7 @@ def prose_html(text: str) -> str:
 @cache
 def _formula(part: str) -> str:
     """A formula of a sentence, which says itself in Unicode."""
-    words = unbold(part)
+    words = characters(part)
     plain = f"<mtext>{escape(words)}</mtext>"
     return transcript(tex(part), {}, alt=words) or mathml.element(plain, words, False)
 

@@ -11,7 +11,7 @@ from collections.abc import Collection, Sequence
 from rigidtop.report import blocks as b
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset.latex import aligned, aligned_lines, latex
-from rigidtop.typeset.sentences import tex, written
+from rigidtop.typeset.words import tex, written
 
 LINE = 84.0
 """How many letters wide an equation may be before it is broken."""
@@ -25,8 +25,8 @@ def markdown(blocks: Sequence[b.Block]) -> str:
 def words(content: str) -> str:
     r"""Running text with the mathematics in it.
 
-    >>> print(words("$θ̈$ vanishes, [as] $sin θ ≠ 0$"))
-    $\ddot{\theta}$ vanishes, &#91;as&#93; $\sin \theta \neq 0$
+    >>> print(words(r"$\ddot\theta$ vanishes, [as] $\sin\theta \neq 0$"))
+    $\ddot\theta$ vanishes, &#91;as&#93; $\sin\theta \neq 0$
     """
     return written(content, lambda part: f"${tex(part)}$", _plain)
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 
-from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report import markdown
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset.latex import aligned, aligned_lines
+from rigidtop.typeset.words import unmarked
 
 CELL = 56.0
 """How many letters wide the equations of a table are."""

@@ -8,7 +8,6 @@ from dataclasses import asdict
 from sympy import Symbol
 
 from rigidtop.notation import Notation
-from rigidtop.proof.words import unmarked
 from rigidtop.report.blocks import Block, Heading, Paragraph, Table, listed
 from rigidtop.report.wording import Wording
 from rigidtop.theory import symbols as s
@@ -16,6 +15,7 @@ from rigidtop.theory.lettered import Lettered, stands_for
 from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.text import text
+from rigidtop.typeset.words import unmarked
 
 TURNS = {"zyz": "z–y′–z″", "zxz": "z–x′–z″"}
 WORDS = "The numbers of the equations are those of the notes."

@@ -38,7 +38,6 @@ from rigidtop.proof.equation import Equation
 from rigidtop.proof.exercise import Exercise, texts
 from rigidtop.proof.page import Claim
 from rigidtop.proof.verdict import Judgement, judge
-from rigidtop.proof.words import unmarked
 from rigidtop.report import plain
 from rigidtop.report.blocks import Display, Table
 from rigidtop.report.claims import claim_blocks
@@ -50,6 +49,7 @@ from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.latex import aligned, aligned_lines, latex
 from rigidtop.typeset.text import letter as text_letter
 from rigidtop.typeset.text import text
+from rigidtop.typeset.words import unmarked
 
 DOTS = 144
 """Of a picture, to the inch; on the page an inch is 96 pixels, so a fine screen has use for it."""

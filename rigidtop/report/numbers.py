@@ -10,7 +10,7 @@ from decimal import ROUND_HALF_UP, Decimal
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.typeset.nodes import Infix, Node, Number, Power, decimal, negated
-from rigidtop.typeset.sentences import printed_unit
+from rigidtop.typeset.words import printed_unit
 
 DIGITS = 6
 """Of a number in print."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 
-from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.terminal.table import broken, table
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset.text import text
+from rigidtop.typeset.words import unmarked
 
 
 def fragment(blocks: Sequence[b.Block], width: int = 88) -> str:

@@ -6,11 +6,11 @@ from collections.abc import Iterable
 
 from rigidtop.proof.page import Claim, Measure
 from rigidtop.proof.verdict import Finding, Judgement, Led, TestedAssumption, Verdict
-from rigidtop.proof.words import unmarked
 from rigidtop.report import plain
 from rigidtop.report.claims import condition, said_at, tested
 from rigidtop.report.ways import gap
 from rigidtop.typeset.text import text
+from rigidtop.typeset.words import unmarked
 
 
 def record(judgement: Judgement) -> dict[str, object]:

@@ -15,7 +15,6 @@ from rigidtop.proof.exercise import Answer, Exercise, Outcome, Table
 from rigidtop.proof.lecture import Lecture, Text
 from rigidtop.proof.page import Measure
 from rigidtop.proof.verdict import Judgement, judge
-from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.claims import measured
 from rigidtop.report.numbers import SMALLEST_ANGLE, cells, cleaned, shown
@@ -23,6 +22,7 @@ from rigidtop.report.plain import rich
 from rigidtop.report.records import measure_record
 from rigidtop.report.records import record as judgement_record
 from rigidtop.report.ways import claim_told, text_blocks
+from rigidtop.typeset.words import unmarked
 
 
 @dataclass(frozen=True)

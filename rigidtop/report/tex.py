@@ -11,7 +11,6 @@ from importlib.resources import files
 from typing import Any
 
 from rigidtop.notation.characters import ESCAPES
-from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.report.tex_lines import (
@@ -24,6 +23,7 @@ from rigidtop.report.tex_lines import (
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import sizes
 from rigidtop.typeset.latex import align, aligned_lines
+from rigidtop.typeset.words import unmarked
 
 
 def write(document: b.Document, figures: Mapping[str, str]) -> str:

@@ -10,14 +10,14 @@ from rigidtop.proof.equation import Equation
 from rigidtop.report import blocks as b
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import nodes as lay
-from rigidtop.typeset import sentences, sizes
+from rigidtop.typeset import sizes, words
 from rigidtop.typeset.latex import AlignRow, align, latex, row_lines, seen
 from rigidtop.typeset.layout import layout
 
 
 def prose(text: str) -> str:
     """A sentence as LaTeX; what nobody sees in it is shown by its number."""
-    return sentences.prose(visible(text))
+    return words.prose(visible(text))
 
 
 def in_words(node: lay.Node) -> str:

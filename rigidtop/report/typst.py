@@ -10,7 +10,6 @@ from functools import singledispatch
 from importlib.resources import files
 
 from rigidtop.proof.equation import Equation
-from rigidtop.proof.words import unmarked
 from rigidtop.report import blocks as b
 from rigidtop.report.pdf import written_at
 from rigidtop.report.tex_lines import (
@@ -26,7 +25,7 @@ from rigidtop.report.tex_lines import (
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset.latex import AlignRow, aligned_lines, latex, row_lines, seen
-from rigidtop.typeset.sentences import tex, tied, written
+from rigidtop.typeset.words import tex, tied, unmarked, written
 
 
 def write(document: b.Document, figures: Mapping[str, str]) -> str:

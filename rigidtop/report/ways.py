@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
-from string import ascii_lowercase, ascii_uppercase
 from types import MappingProxyType
 from typing import Any
 
@@ -30,14 +29,13 @@ from rigidtop.proof.trial import diagnose
 from rigidtop.proof.units import UnitsError
 from rigidtop.proof.values import tree
 from rigidtop.proof.verdict import Judgement, Led
-from rigidtop.proof.words import bold
-from rigidtop.read.tex import SAID
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.wording import Wording
+from rigidtop.typeset.latex import latex
 from rigidtop.typeset.layout import layout
-from rigidtop.typeset.nodes import Letter, Node
+from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.text import text
 
 
@@ -193,10 +191,7 @@ def _titled(content: b.Rich) -> str:
     """Running text as the words of a title, its letters marked as in sentences."""
     made = []
     for piece in content:
-        words = plain.rich((piece,))
-        if isinstance(piece, Letter) and piece.glyph.bold:
-            words = bold(words[0]) + words[1:]
-        made.append(f"${words}$" if isinstance(piece, Node) else words)
+        made.append(f"${latex(piece)}$" if isinstance(piece, Node) else plain.rich((piece,)))
     return "".join(made)
 
 
@@ -348,38 +343,11 @@ def running(
         else:
             unread = getattr(piece, "latex", None)
             made.append(
-                Wording(notation)(_marked(unread))
+                Wording(notation)(f"${unread}$")
                 if unread
                 else layout((notation.axis if piece in axes else notation.named)(piece), "printed")
             )
     return tuple(made)
-
-
-_BOLD = {c: chr(0x1D400 + k) for k, c in enumerate(ascii_uppercase + ascii_lowercase)}
-_PLAIN = {r"\,": " ", r"\ ": " ", r"^\circ": "°", r"^{\circ}": "°", "_+": "₊", "_-": "₋"}
-
-
-def _marked(tex: str) -> str:
-    r"""Mathematics that is no expression, marked as in sentences, its letters as characters.
-
-    >>> _marked(r"\mathbf u + i\mathbf v"), _marked(r"2\cos\alpha\,\mathbf{n}_k")
-    ('$𝐮 + i𝐯$', '$2 cos α 𝐧_k$')
-    >>> _marked(r"\Omega_- = 3.4\times 10^{-3}"), _marked(r"2\pi\cdot 1.5 < 90^\circ")
-    ('$Ω₋ = 3.4 × 10^{-3}$', '$2π · 1.5 < 90°$')
-    """
-    bold = re.sub(r"\\mathbf\s*\{?([A-Za-z])\}?", lambda m: _BOLD[m[1]], tex)
-    for written, printed in _PLAIN.items():
-        bold = bold.replace(written, printed)
-    words = re.sub(r"\\(?:text\b)?([A-Za-z]*)", _said, bold)
-    plain = re.sub(r"(?<!\^)\{([^{}]*)\}", r"\1", words)
-    plain = re.sub(r"_(\d)(?![\d,])", lambda m: chr(ord("₀") + int(m[1])), plain)
-    return f"${' '.join(plain.split())}$"
-
-
-def _said(command: re.Match[str]) -> str:
-    """A command as its letter or sign, else as a word."""
-    letter = SAID.get(command[0], "")
-    return letter if letter.isalpha() else f" {letter or command[1]} "
 
 
 _NAMING = re.compile(r"^(?:Along the motion|At the moment),? |^(?:Call|Define) |, define ")

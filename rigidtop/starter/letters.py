@@ -17,7 +17,7 @@ m, g, length, Lagrangian, E, T, V, thetaddot, thetadot, theta = in_order(
     real("T", Glyph("T"), "kinetic energy", "J"),
     real("V", Glyph("V"), "potential energy", "J"),
     # A rate is a symbol of its own; its letter has an accent.
-    real("thetaddot", Glyph("θ", accent="ddot"), "second derivative of $θ$", "rad/s²"),
-    real("thetadot", Glyph("θ", accent="dot"), "rate of $θ$", "rad/s"),
+    real("thetaddot", Glyph("θ", accent="ddot"), r"second derivative of $\theta$", "rad/s²"),
+    real("thetadot", Glyph("θ", accent="dot"), r"rate of $\theta$", "rad/s"),
     real("theta", Glyph("θ"), "angle between string and vertical", "rad"),
 )

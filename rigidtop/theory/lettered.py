@@ -100,7 +100,7 @@ def instead(stands: sympy.Symbol, name: str, glyph: Glyph, meaning: str = "") ->
     >>> from rigidtop.theory.symbols import lambda1
     >>> I1 = instead(lambda1, "I1", Glyph("I", "1"))
     >>> I1, I1.quantity.meaning, stands_for(I1), I1 == lambda1
-    (I1, 'principal moment of inertia about $e₁$', lambda1, False)
+    (I1, 'principal moment of inertia about $\\\\mathbf e_1$', lambda1, False)
     """
     place, known = BY_NAME[stands.name]
     quantity = replace(known, glyph=glyph, meaning=meaning or known.meaning)

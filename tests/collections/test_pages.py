@@ -73,8 +73,8 @@ def test_sections_and_claims_are_those_of_the_pages(spring):
     ]
     assert pages[1].about == "A cart of mass $m$ on a spring."
     assert [(claim.name, claim.says) for claim in pages[1].claims] == [
-        ("kept", "What the spring takes it gives back, as $Ė$ says."),
-        ("2.1", "What the spring takes it gives back, as $Ė$ says."),
+        ("kept", r"What the spring takes it gives back, as $\dot E$ says."),
+        ("2.1", r"What the spring takes it gives back, as $\dot E$ says."),
     ]
 
 

@@ -17,7 +17,7 @@ from rigidtop.figures import (
 from rigidtop.figures.catalog import named
 from rigidtop.figures.solved import answers
 from rigidtop.proof.exercise import Answer
-from rigidtop.proof.words import unmarked
+from rigidtop.typeset.words import unmarked
 
 from .conftest import direction
 

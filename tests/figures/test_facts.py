@@ -20,7 +20,7 @@ from rigidtop.figures import (
 )
 from rigidtop.figures.catalog import named
 from rigidtop.motion.attitude import from_euler_angles
-from rigidtop.proof.words import unmarked
+from rigidtop.typeset.words import unmarked
 
 from .conftest import line
 

@@ -13,7 +13,7 @@ from rigidtop.derivations.exercises.friction import small_tilt_time
 from rigidtop.figures import friction, style
 from rigidtop.figures.catalog import named
 from rigidtop.motion.table.motion import SlidingTop
-from rigidtop.proof.words import unmarked
+from rigidtop.typeset.words import unmarked
 
 from .conftest import line
 

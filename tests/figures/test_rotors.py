@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 import rigidtop as rt
 from rigidtop.figures import bicycle_wheel, gyroscope, plate, style
 from rigidtop.figures.catalog import named
-from rigidtop.proof.words import unmarked
+from rigidtop.typeset.words import unmarked
 
 from .conftest import direction, line
 

@@ -44,10 +44,34 @@ Hence $$ \dot r = \frac{eh}{p}\sin\varphi $$ and
 """
 WAVE = r"$$ y = A\sin kx\cos ckt $$ is the sum of two waves" + "\n"
 KINDS = [
-    ("a place where it stays", TOP, r"A\Omega^2\cos\theta_0 - C\omega_3\Omega + MgR = 0", "- C", "+ C"),
-    ("the slow root", PRECESSION + "For a fast top ", r"\Omega_- \approx \frac{MgR}{C\omega}", "{MgR", "{2MgR"),
-    ("the fast root", PRECESSION + "For a fast top ", r"\Omega_+ \approx \frac{C\omega}{A\cos\theta}", r"\cos", r"\sin"),
-    ("two states", STRING, r"\omega_2 = \omega_1\frac{r_1^2}{r_2^2}", "r_1^2}{r_2^2", "r_2^2}{r_1^2"),
+    (
+        "a place where it stays",
+        TOP,
+        r"A\Omega^2\cos\theta_0 - C\omega_3\Omega + MgR = 0",
+        "- C",
+        "+ C",
+    ),
+    (
+        "the slow root",
+        PRECESSION + "For a fast top ",
+        r"\Omega_- \approx \frac{MgR}{C\omega}",
+        "{MgR",
+        "{2MgR",
+    ),
+    (
+        "the fast root",
+        PRECESSION + "For a fast top ",
+        r"\Omega_+ \approx \frac{C\omega}{A\cos\theta}",
+        r"\cos",
+        r"\sin",
+    ),
+    (
+        "two states",
+        STRING,
+        r"\omega_2 = \omega_1\frac{r_1^2}{r_2^2}",
+        "r_1^2}{r_2^2",
+        "r_2^2}{r_1^2",
+    ),
     ("an invariant", PENDULUM, r"A_2 = A_1\left(\frac{l_1}{l_2}\right)^{3/4}", "3/4", "1/4"),
     ("a rule for q", DAMPED, r"n\ddot y + c(\dot y - \dot x) = 0", r"(\dot y - \dot x)", r"\dot y"),
     ("a number", SATELLITE, r"\tau \approx 3278\ \mathrm s", "3278", "3728"),
@@ -56,8 +80,14 @@ KINDS = [
     ("a constant h", ORBIT, r"\ddot r = \frac{eh^2}{pr^2}\cos\varphi", r"h^2", "h"),
     ("an argument", WAVE, r"y = \frac A2[\sin k(x - ct) + \sin k(x + ct)]", "ct) +", "ct) -"),
     ("small numbers", "$$ S = 10^{-12}n $$ so\n", r"2S = 2\cdot10^{-12}n", r"2\cdot", r"3\cdot"),
-    ("large numbers", "$$ y = (10^7 + x)^2 - 10^{14} $$ so\n", r"y - 2\cdot10^7x = x^2", "= x", "= 2x"),
-]  # fmt: skip
+    (
+        "large numbers",
+        "$$ y = (10^7 + x)^2 - 10^{14} $$ so\n",
+        r"y - 2\cdot10^7x = x^2",
+        "= x",
+        "= 2x",
+    ),
+]
 """A name, what stands above, a line that follows, and what is changed in it to be wrong."""
 
 

@@ -194,8 +194,8 @@ def test_a_derivative_is_by_the_angle_itself():
 def test_the_name_of_an_angle_does_not_know_where_it_is_counted_from():
     assert text(GOLDSTEIN.named(s.phi)) == "φ"
     assert text(GOLDSTEIN.named(sympy.Eq(s.phi, 0))) == text(GOLDSTEIN.written(sympy.Eq(s.phi, 0)))
-    assert Wording(GOLDSTEIN)("Neither $φ$ nor $ψ$, but $φ = 0$") == (
-        "Neither $φ$ nor $ψ$, but $φ − ½π = 0$"
+    assert Wording(GOLDSTEIN)(r"Neither $\phi$ nor $\psi$, but $\phi = 0$") == (
+        r"Neither $\phi$ nor $\psi$, but $\phi - \tfrac{1}{2}\pi = 0$"
     )
 
 

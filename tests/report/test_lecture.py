@@ -19,10 +19,8 @@ from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.figures.drawing import both, rendered
 from rigidtop.notation import NOTES
-from rigidtop.notation.characters import opened
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.verdict import Verdict
-from rigidtop.proof.words import light, parts
 from rigidtop.report import html, myst, pdf, plain, tex, typst
 from rigidtop.report.blocks import (
     Cited,
@@ -49,11 +47,13 @@ from rigidtop.report.map import columns, heights, reduced
 from rigidtop.report.numbers import written
 from rigidtop.report.symbols import symbols_used
 from rigidtop.report.ways import law_blocks, running
-from rigidtop.report.wording import LETTER
+from rigidtop.report.wording import LETTER, braced
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import known
+from rigidtop.typeset.latex import latex
 from rigidtop.typeset.nodes import Node
 from rigidtop.typeset.text import text
+from rigidtop.typeset.words import characters, parts
 
 from ..web.conftest import chrome
 
@@ -491,23 +491,24 @@ def _formulas(tree):
         for each in tree:
             yield from _formulas(each)
     elif isinstance(tree, Node):
-        yield text(tree)
+        yield latex(tree)
     elif is_dataclass(tree) and not isinstance(tree, (Unit, Cited, Display, Results)):
         for field in fields(tree):
             yield from _formulas(getattr(tree, field.name))
 
 
 def _letters_of(tree):
-    found = [each for words in _formulas(tree) for each in LETTER.finditer(opened(words))]
-    return {light(x["letter"]) + x["primes"] for x in found if x["letter"] and x[0][0].isalpha()}
+    found = [each for words in _formulas(tree) for each in LETTER.finditer(braced(words))]
+    letters = (characters(x["letter"] + x["primes"]) for x in found if x["letter"])
+    return {unicodedata.normalize("NFD", x) for x in letters}
 
 
 def test_every_letter_is_listed_or_introduced(document):
     (symbols,) = [block for block in document.blocks if _is(block, "symbols")]
     said = _letters_of(tuple(b for b in document.blocks if b is not symbols))
     listed = _letters_of(tuple(node for node, *_ in symbols.rows))
-    # Coordinates, any vector and any axis, indices and the imaginary unit.
-    introduced = {*"xyzwnilπΣᵀ", "m₁", "m₂", "m₃"}
+    # Coordinates, any vector and any axis, indices, the imaginary unit, d of a rate, e of a power.
+    introduced = {*"xyzwnilπde", "m₁", "m₂", "m₃"}
     assert introduced < said
     known = listed | introduced
     others = {re.sub("[\u0307\u0308]", "", x.replace("_i", "ᵢ")) for x in said - known}

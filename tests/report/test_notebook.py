@@ -134,7 +134,7 @@ def test_a_plot_is_shown_at_the_end_of_the_block(monkeypatch):
 def test_pictures_are_the_same_each_time():
     first, second = (notebook.figure("paths", omega3=35.0) for _ in range(2))
     assert first == second
-    assert "$ω₃ = 35$ rad/s" in first.words
+    assert r"$\omega_3 = 35$ rad/s" in first.words
 
 
 def test_a_wrong_figure_is_an_error_of_one_line():

@@ -1,7 +1,6 @@
 """No letter stands for two things on a page, in any notation: in formulas, words or figures."""
 
 import re
-import unicodedata
 from collections import defaultdict
 
 import pytest
@@ -18,6 +17,7 @@ from rigidtop.report.wording import Wording
 from rigidtop.theory.lettered import stands_for
 from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.text import letter
+from rigidtop.typeset.words import characters
 
 NOTATIONS = [named("goldstein"), named("landau")]
 """One with other axes, and one with other letters alone."""
@@ -30,8 +30,8 @@ def origins(monkeypatch, notation):
 
     def noted(self, old, primes, alone):
         made = other(self, old, primes, alone)
-        plain = re.fullmatch(r"\(?(?:½π \+ |−)?(.*?)(?: − ½π)?\)?", made)[1]
-        found[unicodedata.normalize("NFC", plain)].add(old + primes)
+        plain = re.fullmatch(r"\(?(?:½π \+ |−)?(.*?)(?: − ½π)?\)?", characters(made))[1]
+        found[plain].add(characters(old + primes))
         return made
 
     monkeypatch.setattr(Wording, "_other", noted)

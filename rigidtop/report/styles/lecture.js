@@ -25,9 +25,9 @@
     card.innerHTML = [...(place.matches(".row") ? place.querySelectorAll(".eq, .place") : [place])]
       .map((part) => part.outerHTML.replace(/ (id|tabindex)="[^"]*"/g, "")).join("");
     link.setAttribute("aria-describedby", "card");
-    const { left, top, bottom } = link.getClientRects()[0];
-    const low = bottom + card.offsetHeight < innerHeight ? bottom : top - card.offsetHeight;
-    card.style.y = `${scrollY + low}px`;
+    const { left, y, bottom } = link.getClientRects()[0];
+    const low = bottom + card.offsetHeight < innerHeight ? bottom : y - card.offsetHeight;
+    card.style.insetBlockStart = `${scrollY + low}px`;
     card.style.left = `${Math.max(4, Math.min(left, innerWidth - card.offsetWidth - 20))}px`;
   };
   for (const kind of ["pointerover", "focusin"]) addEventListener(kind, (event) => show(linkOf(event)));

@@ -55,9 +55,9 @@ def nodding() -> Expr:
     return reduce_ratio(potential().diff(theta, 2).subs(steady) / (m * length**2))
 
 
-@claim("2.1", "$θ$ moves in an effective potential.")
+@claim("2.1", r"$\theta$ moves in an effective potential.")
 def effective() -> Iterator[Evidence]:
-    """$φ̇$ is eliminated by the constant $p_φ$."""
+    r"""$\dot\phi$ is eliminated by the constant $p_\phi$."""
     with as_printed():
         printed = Equation(
             U,
@@ -70,8 +70,8 @@ def effective() -> Iterator[Evidence]:
 
 @claim("2.2", "The rate of the conical pendulum.")
 def cone() -> Iterator[Evidence]:
-    """$θ̇ = θ̈ = 0$ in the equation for $θ$, divided by $sin θ$. A bob that hangs at rest has no
-    rate."""
+    r"""$\dot\theta = \ddot\theta = 0$ in the equation for $\theta$, divided by $\sin\theta$. A
+    bob that hangs at rest has no rate."""
     accelerations = (thetaddot, phiddot)
     balance = euler_lagrange(lagrangian(), ANGLES, VELOCITIES, accelerations)[0].subs(ON_A_CONE)
     with as_printed():
@@ -80,9 +80,9 @@ def cone() -> Iterator[Evidence]:
     yield from evidence.cone()
 
 
-@claim("least-rate", "No cone is gone round at less than $√(g/l)$.")
+@claim("least-rate", r"No cone is gone round at less than $\sqrt{g/l}$.")
 def least_rate() -> Iterator[Evidence]:
-    """$ω² =$ g/(l $cos θ$), and $cos θ$ is less than 1 on a cone."""
+    r"""$\omega^2 =$ g/(l $\cos\theta$), and $\cos\theta$ is less than 1 on a cone."""
     with as_printed():
         printed = Equation(omega**2, g / length, relation=">")
     narrow = Assumption(Lt(cos(theta), 1), "it is a cone", stated=True)
@@ -91,17 +91,19 @@ def least_rate() -> Iterator[Evidence]:
 
 @claim("2.3", "How often a bob nods that is pushed a little on its cone.")
 def frequency() -> Iterator[Evidence]:
-    """$U″/(ml²)$ at the angle of the cone."""
+    r"""$U''/(ml^2)$ at the angle of the cone."""
     with as_printed():
         printed = Equation(Omega2, omega**2 * Group(1 + 3 * cos(theta) ** 2), tag="2.3")
         always = Equation(Omega2, 0, relation=">")
-    yield Step(Equation(U, potential()), "Minus the Routhian at $θ̇ = 0$.")
+    yield Step(Equation(U, potential()), r"Minus the Routhian at $\dot\theta = 0$.")
     yield Check(printed, {Omega2: nodding()})
     yield Check(always, {Omega2: nodding()}, (MOVES,), "Every cone is stable.", printed=False)
     yield from evidence.nodding()
 
 
-@claim("nods-twice", "On every cone the bob nods twice while it goes round once: $Ω = 2ω$.")
+@claim(
+    "nods-twice", r"On every cone the bob nods twice while it goes round once: $\Omega = 2\omega$."
+)
 def nods_twice() -> Iterator[Evidence]:
     """A path like an ellipse about its centre is that of small angles only."""
     meaning = {Omega2: nodding()}
@@ -117,6 +119,6 @@ def nods_twice() -> Iterator[Evidence]:
 page = Page(
     "2",
     "Cones",
-    "Motions in which $θ$ is constant, and those close to them.",
+    r"Motions in which $\theta$ is constant, and those close to them.",
     (effective, cone, least_rate, frequency, nods_twice),
 )

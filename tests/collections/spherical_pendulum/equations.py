@@ -36,7 +36,7 @@ INCLINED = Assumption(Ne(sin(theta), 0), "the string is not vertical")
 
 @claim("1.1", "Lagrangian of the spherical pendulum.")
 def lagrangian() -> Iterator[Evidence]:
-    """$½mv² + m𝐠·𝐫$ for a bob at the distance l from the support."""
+    r"""$\tfrac12mv^2 + m\mathbf g\cdot\mathbf r$ for a bob at the distance l from the support."""
     with as_printed():
         printed = Equation(
             Lagrangian,
@@ -47,9 +47,9 @@ def lagrangian() -> Iterator[Evidence]:
     yield Check(printed, {Lagrangian: engine_lagrangian()})
 
 
-@claim("1.2", "Equation of motion for $θ$.")
+@claim("1.2", r"Equation of motion for $\theta$.")
 def theta_equation() -> Iterator[Evidence]:
-    """Lagrange's equation for $θ$, divided by ml."""
+    r"""Lagrange's equation for $\theta$, divided by ml."""
     with as_printed():
         printed = Equation(
             length * thetaddot,
@@ -65,25 +65,26 @@ def theta_equation() -> Iterator[Evidence]:
     )
 
 
-@claim("1.3", "Equation of motion for $φ$.")
+@claim("1.3", r"Equation of motion for $\phi$.")
 def phi_equation() -> Iterator[Evidence]:
-    """Lagrange's equation for $φ$, with $ml² sin²θ$ divided out."""
+    r"""Lagrange's equation for $\phi$, with $ml^2 \sin^2\theta$ divided out."""
     with as_printed():
         printed = Equation(phiddot, -2 * thetadot * phidot * cos(theta) / sin(theta), tag="1.3")
     yield Check(printed, {phiddot: lagrange()[phiddot]}, (INCLINED,))
 
 
-@claim("1.4", "$p_φ$ is constant.")
+@claim("1.4", r"$p_\phi$ is constant.")
 def momentum() -> Iterator[Evidence]:
-    """$φ$ does not enter the Lagrangian."""
+    r"""$\phi$ does not enter the Lagrangian."""
     with as_printed():
         printed = Equation(p_phi, m * length**2 * phidot * sin(theta) ** 2, const, tag="1.4")
     yield Check(printed, {p_phi: momenta(engine_lagrangian(), VELOCITIES)[1], const: along_motion})
 
 
-@claim("p-phi-is-Lz", "$p_φ$ is the angular momentum about the vertical.")
+@claim("p-phi-is-Lz", r"$p_\phi$ is the angular momentum about the vertical.")
 def p_phi_is_l_z() -> Iterator[Evidence]:
-    """$∂T/∂φ̇$ is $ẑ·(𝐫 × m𝐯)$, since $φ$ turns the bob about $ẑ$."""
+    r"""$\partial T/\partial\dot\phi$ is $\hat{\mathbf z}\cdot(\mathbf r \times m\mathbf v)$,
+    since $\phi$ turns the bob about $\hat{\mathbf z}$."""
     with as_printed():
         same = Equation(p_phi, L_z)
     momentum = momenta(engine_lagrangian(), VELOCITIES)[1]

@@ -71,4 +71,4 @@ def nodding() -> Iterator[Measure]:
     seen = np.arccos(-r[:, 2] / LENGTH) - TILT
     expected = kick / frequency * np.sin(frequency * times)
     error = float(np.abs(seen - expected).max() * frequency / kick)
-    yield Measure("$θ(t)$ of small nodding at $Ω$, three nods, relative", error, 1e-3)
+    yield Measure(r"$\theta(t)$ of small nodding at $\Omega$, three nods, relative", error, 1e-3)

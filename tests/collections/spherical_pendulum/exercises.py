@@ -22,7 +22,7 @@ from .letters import g, length, theta, v
 
 @claim("speed", "The speed on a cone.")
 def speed() -> Iterator[Evidence]:
-    """$v = ωl sin θ$ with the rate of the cone."""
+    r"""$v = \omega l \sin\theta$ with the rate of the cone."""
     with as_printed():
         printed = Equation(v**2 * sympy.cos(theta), g * length * sympy.sin(theta) ** 2)
     yield Check(printed, {v: moving().subs(ON_A_CONE), **WEIGHT})
@@ -33,16 +33,15 @@ def speed() -> Iterator[Evidence]:
     "The conical pendulum",
     section="2",
     asks="a question of every textbook",
-    statement="A bob of mass $m$ on a string of length l goes round on a cone at the angle $θ$. "
-    "How "
-    "long does a turn take? What is the force in the string?\n\n"
-    "Somebody gives it a slight push upwards. By what angle has it gone round from one highest "
+    statement="A bob of mass $m$ on a string of length l goes round on a cone at the angle "
+    "$\\theta$. How long does a turn take? What is the force in the string?\n\nSomebody "
+    "gives it a slight push upwards. By what angle has it gone round from one highest "
     "place to the next?",
     claims=(cone, frequency, speed),
     parameters=(
         Parameter("m", 0.5, "mass of the bob", "kg", above=0),
         Parameter("length", 1.2, "length of the string", "m", above=0),
-        Parameter("theta", pi / 4, "$θ$", "rad", above=0, most=1.5),
+        Parameter("theta", pi / 4, r"$\theta$", "rad", above=0, most=1.5),
         Parameter("g", 9.81, "acceleration of gravity", "m/s²", above=0),
     ),
 )
@@ -50,7 +49,7 @@ def conical_pendulum(m: float, length: float, theta: float, g: float) -> Iterato
     """The formulas of the claims; the motion is computed in $x$, $y$, $z$ besides."""
     rate = evidence.rate(theta, g, length)
     period = 2 * pi / rate
-    yield Answer("rate", "$ω$", rate, "rad/s")
+    yield Answer("rate", r"$\omega$", rate, "rad/s")
     yield Answer("period", "time for a turn", period, "s")
     yield Answer("speed", "speed", rate * length * sin(theta), "m/s")
     yield Answer("force", "force in the string", m * g / cos(theta), "N")
@@ -71,4 +70,4 @@ def conical_pendulum(m: float, length: float, theta: float, g: float) -> Iterato
     kick, nod = 1e-4, 2 * pi / (rate * sqrt(1 + 3 * cos(theta) ** 2))
     places, _ = evidence.moved(theta, kick, rate, np.linspace(0, nod, 5), g, length)
     back = (np.arccos(-places[-1, 2] / length) - theta) * 2 * pi / (kick * nod)
-    yield Measure("$θ$ back after a nod, over its amplitude", float(abs(back)), 1e-2)
+    yield Measure(r"$\theta$ back after a nod, over its amplitude", float(abs(back)), 1e-2)

@@ -5,7 +5,7 @@ from math import log, pi, sqrt
 import pytest
 
 from rigidtop.errors import RigidtopError
-from rigidtop.proof.words import unmarked
+from rigidtop.typeset.words import unmarked
 
 
 def test_rates_of_a_body_with_moments_1_2_3(solve):

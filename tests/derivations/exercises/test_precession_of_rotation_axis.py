@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar
 
 from rigidtop.errors import RigidtopError
-from rigidtop.proof.words import unmarked
+from rigidtop.typeset.words import unmarked
 
 
 def body_path(moments, omega, times):
