@@ -97,7 +97,8 @@ def nearly_equal(question: Question) -> Judgement | None:
 
 def said(question: Question) -> Judgement | None:
     """What words say is true for what is small or large, though "=" is written."""
-    if not (question.at.small or question.at.large):
+    limits = any(x.sentence == question.at.sentence for x in question.context.limits)
+    if not (question.at.small or question.at.large or limits):
         return None
     outcome = nearly_equal(question)
     if outcome is None:

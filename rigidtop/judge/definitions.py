@@ -40,7 +40,11 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     value = meaning.value(other)
     if speaks_of(value, letter):
         return None
-    if not _is_replaced(question, letter, other) and _is_fixed(question, letter, value):
+    place = name is question.right and question.at.inline and question.left in context.letters
+    if place and not question.at.derived:
+        return None  # at x = a
+    free = letter in habits.fields or _is_replaced(question, letter, other)
+    if not free and _is_fixed(question, letter, value):
         return None
     if meaning.component(letter) is not None:
         return None
@@ -65,7 +69,8 @@ def _is_replaced(question: Question, letter: Letter, other: Node) -> bool:
     """Whether another letter that moves takes the place of one: put z = h + u."""
     at, moving = question.at, question.moving
     new = own_letters(other) & moving - question.context.letters
-    return (at.supposed or at.defined) and letter in moving and len(new) == 1
+    said = at.supposed or at.defined or (at.inline and not at.derived)
+    return said and letter in moving and len(new) == 1
 
 
 def _stays(question: Question, letter: Letter, value: Value) -> bool:
@@ -156,4 +161,6 @@ def _may_be_another(question: Question, older: Definition) -> bool:
     other = at.supposed and at.inline and not (moves or at.small or at.large)
     both = isinstance(older.node, Letter) and isinstance(question.right, Letter)
     named = both and at.supposed and at.inline  # for q = x, and for q = y
+    columns = isinstance(older.node, n.Tuple) and isinstance(question.right, n.Tuple)
+    named |= columns and at.inline and not at.derived
     return not within or (not question.inner and (said or other or named or at.anew))

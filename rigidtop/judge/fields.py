@@ -33,7 +33,7 @@ def fields_of(
 
     Along a motion a slope is a ratio of rates, and no field.
     """
-    seen: set[Letter] = {*LAGRANGIANS, *HAMILTONIANS}
+    seen: set[Node] = {*LAGRANGIANS, *HAMILTONIANS}
     fields: dict[Letter, tuple[Node, ...]] = {}
     for each in read:
         nodes = [x for side in each.sides for x in n.walked(side)]
@@ -44,7 +44,8 @@ def fields_of(
                 if known or driven or not all(isinstance(x, Letter) for x in slope.by):
                     continue
                 fields[slope.of] = (*dict.fromkeys((*fields.get(slope.of, ()), *slope.by)),)
-        seen |= {x for x in nodes if isinstance(x, Letter)}
+        called = {x.function for x in nodes if isinstance(x, n.Call)}  # u(x, t)
+        seen |= {x for x in nodes if isinstance(x, Letter)} - called
     return fields
 
 
@@ -57,7 +58,10 @@ def equation(question: Question) -> Judgement | None:
         for x in n.walked(side)
         if isinstance(x, n.Derivative) and x.of in unknown
     ]
-    if not slopes or question.at.instant or question.inner:
+    rates = any(
+        isinstance(x, n.Rate) for side in (question.left, question.right) for x in n.walked(side)
+    )
+    if not slopes or rates or question.at.instant or question.inner:
         return None
     context = question.context.holding(question.constraint(FIELD))
     names = ", ".join(sorted({in_words(x) for x in slopes}))

@@ -75,6 +75,19 @@ def _velocities(read: Sequence[Statement]) -> set[Letter]:
     return tied & squared
 
 
+def _driven(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
+    """The speed of which a momentum is a function, where that moves: v in p = m v/√(1 − v²/c²)."""
+    driven = set()
+    for each in read:
+        names = n.letters(each.sides[-1])
+        speeds = {x for x in names if x.base in SPEEDS and not x.bold}
+        given = each.relations == ("=",) and each.sides[0] in moving
+        momentum = isinstance(each.sides[0], Letter) and each.sides[0].base == "p"
+        if given and momentum and not names & {*moving, TIME} and len(speeds) == 1:
+            driven |= speeds
+    return driven
+
+
 def _conjugate(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
     """The momenta, and the coordinates, of a Hamiltonian of which the other one moves."""
     names = [
@@ -142,6 +155,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     moving |= _changing(nodes, moving)
     moving |= _velocities(read)
     moving |= {x for x in map(Letter, "xyz") if x in nodes and Letter("v", x.base) in moving}
+    moving |= _driven(read, moving)
     moving |= _conjugate(read, moving)
     moving |= _parameters(read, moving)
     functions: dict[Letter, tuple[Node, ...]] = {}

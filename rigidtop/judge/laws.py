@@ -424,7 +424,12 @@ def _prolonged(residual: Residual, orders: dict[object, int], context: Context) 
         return _everywhere(residual.expression, residual.constraint, context)
     moving = context.habits.moving
     here = residual.expression
-    if here.has(TIME) and all(not j.order and j.letter not in moving for j in jets(here).values()):
+    unknown = here.atoms(AppliedUndef)
+    if (
+        here.has(TIME)
+        and not unknown
+        and all(not j.order and j.letter not in moving for j in jets(here).values())
+    ):
         # Nothing in it moves but the time: it holds at every time.
         return made + [
             here.xreplace({TIME: sympy.Rational(k, 7)}) for k in range(1, INSTANTS_OF_TIME)

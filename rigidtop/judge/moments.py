@@ -53,9 +53,10 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
             here = f"s{sentence}" + (f"-{passage.start}" if another else "")
             now = START if said else here if another else now or here
         shown = passage.display
-        if isinstance(each, Statement) and is_time(each) and now:
+        if isinstance(each, Statement) and is_time(each):
             value = each.sides[1]
-            if isinstance(value, n.Number) and value.value == 0:
+            zero = isinstance(value, n.Number) and value.value == 0
+            if zero and (now or not passage.display):
                 now = START
                 made = [
                     START if x.startswith(f"s{sentence}") else x for x in made

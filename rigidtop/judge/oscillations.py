@@ -65,7 +65,10 @@ def _squares(question: Question) -> list[tuple[frozenset[int], Expr]]:
     equations = []
     for each in question.context.accelerations:
         with suppress(UnclearError):
-            gap = question.meaning().scalar(each.left) - question.meaning().scalar(each.right)
+            nodes = [x for side in (each.left, each.right) for x in n.walked(side)]
+            moved = (x.of for x in nodes if isinstance(x, n.Rate) and x.order == 2)
+            meaning = question.meaning(held=frozenset(x for x in moved if isinstance(x, Letter)))
+            gap = meaning.scalar(each.left) - meaning.scalar(each.right)
             equations.append((gap, frozenset({each.number})))
     laws = [(x.expression, x.rests_on) for x in question.pool if x.kind == LAW]
     squares = []

@@ -33,8 +33,7 @@ def path_of(question: Question) -> Path | None:
         return None
     context, at = question.context, question.at
     own = [each for each in context.followed if letter in each.letters]
-    alone = bool(own) and not question.moves(value) and _moves_with_several(question, letter)
-    if letter in context.definitions and alone:
+    if own and not question.moves(value) and _needs_its_own(question, letter):
         context = context.forgetting(letter)
         for each in own:
             context = context.holding(each)
@@ -62,6 +61,14 @@ def _named_path(question: Question) -> tuple[Letter | None, Node]:
             rest = n.Product(tuple(x for x in factors if x is not moving[0]))
             return moving[0], n.Quotient(question.right, rest)
     return letter, question.right
+
+
+def _needs_its_own(question: Question, letter: Letter) -> bool:
+    """Whether only what has followed says how it moves: of a component, or of a combination."""
+    context = question.context
+    if letter in context.definitions:
+        return _moves_with_several(question, letter)
+    return not any(letter in each.letters for each in context.constraints)
 
 
 def _moves_with_several(question: Question, letter: Letter) -> bool:

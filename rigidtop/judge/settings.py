@@ -44,10 +44,28 @@ def setting(question: Question) -> Judgement | None:
 
 
 def origin(question: Question) -> Judgement | None:
-    """Where a letter counts from, by the words beside it: nothing that holds as it moves."""
-    if not (question.at.origin and _is_place(question)):
-        return None
-    return Outcome(PREMISE, "where it counts from"), question.context
+    """Where a letter counts from, or what it passes, by the words: it does not hold as it moves."""
+    if question.at.origin and _is_place(question):
+        return Outcome(PREMISE, "where it counts from"), question.context
+    if _is_of_a_field(question) or (
+        question.at.ranges and question.at.inline and _is_bare(question)
+    ):
+        return Outcome(PREMISE, "a place"), question.context
+    return None
+
+
+def _is_bare(question: Question) -> bool:
+    """Whether a letter is given a value in a line of words."""
+    known = question.context.definitions
+    return isinstance(question.left, Letter) and question.left not in known and not question.inner
+
+
+def _is_of_a_field(question: Question) -> bool:
+    """Whether it is a place at which a function is taken: the ends of a string, x = 0 and x = l."""
+    habits, at = question.context.habits, question.at
+    places = {x for each in habits.functions.values() for x in each}
+    value = isinstance(question.right, (n.Number, Letter))
+    return at.inline and value and question.left in places - {*habits.moving}
 
 
 def place(question: Question) -> Judgement | None:

@@ -17,7 +17,8 @@ class Situation:
     `origin`: it says where a letter counts from.
     `oscillates`, `begins`, `balanced`, `circular`: words speak of an oscillation, of a start from
     rest, of an equilibrium, of a circle. `vanishes`: what was said before is zero there.
-    `anew`: it is what a letter stands for after a change.
+    `anew`: it is what a letter stands for after a change; `ranges`: it says where something
+    begins or ends.
     `inline`: it stands in a line of words, and `opens`: nothing stands above it in its scope.
     `closed`: all that is needed has been said, so that what does not hold is false.
     """
@@ -35,6 +36,7 @@ class Situation:
     asked: bool = False
     origin: bool = False
     anew: bool = False
+    ranges: bool = False
     oscillates: bool = False
     begins: bool = False
     balanced: bool = False

@@ -242,6 +242,7 @@ def situation(
         asked=Cue.ASKED in cues,
         origin=Cue.ORIGIN in cues,
         anew=Cue.ANEW in cues,
+        ranges=Cue.RANGE in cues,
         oscillates=Cue.OSCILLATION in cues,
         begins=Cue.REST in cues,
         balanced=Cue.EQUILIBRIUM in cues,

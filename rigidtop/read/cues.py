@@ -45,6 +45,8 @@ class Cue(Enum):
     """It is taken from elsewhere: "according to", "experiment shows"."""
     ORIGIN = auto()
     """It says where a letter counts from: "§ is the lowest position"."""
+    RANGE = auto()
+    """It says where something begins, or where it ends: "from § to §"."""
     ANEW = auto()
     """It is what something is after a change: "the new energy is"."""
     DIVISOR = auto()
@@ -209,6 +211,7 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
     Cue.SMALL: (rf"\b{_SMALL}",),
     Cue.LARGE: (rf"\b{_LARGE}",),
     Cue.EQUILIBRIUM: (
+        r"(?:^|[.;¶] ?)(?:at rest|in Ruhe|au repos)\b",
         r"\b(?:equilibri(?:um|a)|(?:can|could) (?:stay|rest|remain)|(?:stays|rests|remains) at"
         r"|Gleichgewicht\w*|Ruhelagen?|équilibre)\b",
     ),
@@ -296,6 +299,7 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"\b(?:obtained|reached|found|follows|occurs|happens|ergibt sich|erreicht|folgt|gilt"
         r"|s'obtient|atteinte?) (?:for|für|pour)",
     ),
+    Cue.RANGE: (r"\b(?:from|between|von|zwischen|de|entre)(?: § (?:to|and|bis|und|à|et))?",),
     Cue.DEFINED: (r"(?<!agrees )(?<!compare )(?<!comparing )\b(?:with|mit|avec)",),
     Cue.CASE: (
         r"\b(?:if|only if|in (?:the|this|a)(?: \w+)? case[^§.;:]{0,50}"
@@ -312,6 +316,7 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"(?:^|[.¶] ?)(?:when|if|wenn|falls|si|lorsque|quand) [^,;:.§]{1,60},",
         rf"{_START}(?:without|ohne|sans) [^,;:.§]{{1,30}},?",
         r"\b(?:if|when|wenn|falls|si|lorsque) [^.;:]{1,150}[ ,](?:then|dann|alors)",
+        r"\b(?:if|when|suppose|place|put|choose) [^.;:§]{1,80}\b(?:so|such) that",
         rf"{_START}on the (?!other|one)[\w -]{{1,20}},",
         rf"{_START}while an? [^,;:.(§]{{1,30}},",
         rf"{_START}in (?:steady|uniform|circular|equilibrium|free) [^,;:.§]{{0,30}}\(?",
@@ -354,8 +359,10 @@ _CHOSEN = re.compile(
     r"\b(?:let|choose|take|put|set|with|sei|wähle|mit|soit|avec)(?: (?:us|now))?[ :(]*\Z", re.I
 )
 """What chooses a coordinate, in front of the place from which it counts."""
+_TO = re.compile(r"\A(?:to|and|bis|und|à|et)\b|\b(?:to|and|bis|und|à|et)\Z", re.I)
+"""What stands between the beginning and the end of a range."""
 _SUPPOSED_BEHIND = re.compile(
-    r"(?:at|if|when|bei|zur Zeit|wenn|falls|si|lorsque|à|à l'instant|pour)", re.I
+    r"(?:at|for|für|if|when|bei|zur Zeit|wenn|falls|si|lorsque|à|à l'instant|pour)", re.I
 )
 """All that stands between a formula and the one that says where it holds."""
 
@@ -374,6 +381,8 @@ def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
         if _SUPPOSED_BEHIND.fullmatch(behind):
             heard |= {Cue.CASE, Cue.MOMENT}
         heard |= {cue for cue, pattern in _INLINE.items() if pattern.search(before)}
+        if Cue.RANGE in heard and not (_TO.match(behind) or _TO.search(before)):
+            heard -= {Cue.RANGE}
         if Cue.DEFINED in heard:
             heard -= {Cue.DERIVED}  # "that is, with §"
         titled = _TITLED.match(before) or ("¶" in behind and Cue.DERIVED not in heard)
