@@ -440,17 +440,26 @@ class Meaning:
         if node.lower is None or node.upper is None or not isinstance(node.by, Letter):
             raise UnclearError("an integral without limits")
         time = node.by == self.context.habits.running
-        meaning = self if time else self.with_(held=self.held | {node.by})
+        kept = frozenset(x for x in n.letters(node.of) if self._is_kept(x)) - self.held
+        meaning = self if time else self.with_(held=self.held | {node.by} | kept)
         x = TIME if time else meaning.free(node.by)
         integrand = meaning.scalar(node.of)
         if time and any(jet.letter in self.moving for jet in jets(integrand).values()):
             raise UnclearError("an integral over time of what is not given as a function of it")
         lower, upper = self.scalar(node.lower), self.scalar(node.upper)
+        integrand = self._released(integrand, kept) if time else integrand
         if integrand.is_polynomial(x):
-            return sympy.integrate(sympy.expand(integrand), (x, lower, upper))
+            value = sympy.integrate(sympy.expand(integrand), (x, lower, upper))
+            return self._released(value, kept)
         middle, half = (lower + upper) / 2, (upper - lower) / 2
         terms = (w * integrand.xreplace({x: middle + half * p}) for p, w in _NODES)
-        return half * sympy.Add(*terms)
+        return self._released(half * sympy.Add(*terms), kept)
+
+    def _is_kept(self, letter: Letter) -> bool:
+        """Whether a letter stands for what is said not to change, whatever it is written in."""
+        zero = (x.left for x in self.context.constraints if x.right == n.Number("0"))
+        said = any(isinstance(x, n.Rate) and x.of == letter for x in zero)
+        return said and self.definition(letter) is not None
 
     def _over_body(self, node: n.Integral) -> Value:
         """The sum over a few particles, each with a mass and a volume of its own."""

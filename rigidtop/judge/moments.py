@@ -28,6 +28,10 @@ _STARTS = re.compile(
 _AGAIN = re.compile(
     r"\b(?:at|in) (?:this|that) (?:place|point|moment|time|instant|angle|height)", re.I
 )
+_AFTER = re.compile(
+    r"\b(?:in|after|at|within|nach|zur|bei|à|après|au bout)(?: [\w'-]+){0,3} ?\Z", re.I
+)
+"""Words in front of the time at which something is: "after the time t = …"."""
 _TIME = Letter("t")
 
 
@@ -54,6 +58,7 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
             now = START if said else here if another else now or here
         shown = passage.display
         if isinstance(each, Statement) and is_time(each):
+            now = now or (f"s{sentence}" if _AFTER.search(passage.before) else "")
             value = each.sides[1]
             zero = isinstance(value, n.Number) and value.value == 0
             if zero and (now or not passage.display):
@@ -64,10 +69,18 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
         starts = isinstance(each, Statement) and _is_start(each)
         now = START if starts and now else now
         named = not passage.display and _introduces(each, seen)
-        general = passage.display and _speaks_of_time(each)
+        general = (passage.display and _speaks_of_time(each)) or _is_kinematic(each, moving)
         made.append(START if starts else "" if named or general else now)
         seen |= letters_in(each) if isinstance(each, Statement) else set()
     return made
+
+
+def _is_kinematic(each: Statement | Unread, moving: frozenset[Letter]) -> bool:
+    """Whether it says that a speed that moves is the rate of a place: ẋ = v."""
+    if not isinstance(each, Statement) or each.relations != ("=",):
+        return False
+    left, right = each.sides
+    return isinstance(left, n.Rate) and right in moving and left.of in moving
 
 
 def _speaks_of_time(each: Statement | Unread) -> bool:

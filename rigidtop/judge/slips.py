@@ -124,6 +124,9 @@ def _single(
             for other in (2 * value, value / 2, value + 1, value - 1, 3 * value, value / 3):
                 if other > 0:
                     yield _number(other), f"{other} in place of {text}", 1.5
+            for other in (value + 2, value - 2):
+                if other > 0:
+                    yield _number(other), f"{other} in place of {text}", 1.9
         case n.Apply(name, of):
             for other_name in _FUNCTIONS.get(name, ()):
                 yield n.Apply(other_name, of), f"{other_name} in place of {name}", 2.0
@@ -181,6 +184,8 @@ def _single(
                 square = n.Power(n.Group(under), Number("2"))
                 yield n.Quotient(over, square), f"{plain(n.Group(under))} squared", 3.0
             yield n.Quotient(under, over), "the fraction turned over", 3.0
+            if n.letters(node):
+                yield n.Power(n.Group(node), Number("2")), f"{plain(node)} squared", 2.2
 
 
 _ALIKE = tuple(map(frozenset, ("θϑΘ", "φϕϐψΦΨ", "ωΩw", "lℓL", "vνuV", "pρP", "aαA", "γyr")))

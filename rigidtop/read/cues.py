@@ -415,6 +415,8 @@ def passed_on(
     """
     moment = heard & {Cue.MOMENT} if not _CONCLUSION.search(before) else frozenset()
     moment |= heard & {Cue.EQUILIBRIUM, Cue.OSCILLATION, Cue.CIRCLE}
+    if Cue.RANGE in heard and _TO.fullmatch(before.strip()):
+        moment |= {Cue.RANGE}
     if not enumerates(before):
         return moment
     clause = _CLAUSE.fullmatch(before) and _INLINE[Cue.CASE].search(opening)
