@@ -7,6 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from rigidtop.judge import approximations, bounds, equality, places, roots, states
+from rigidtop.judge.components import each_component
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import Constraint, Context, Definition
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
@@ -41,6 +42,9 @@ _KINETIC, _POTENTIAL = Letter("T"), Letter("V")
 _TOTALS = (Letter("E"), Letter("H"))
 """Letters of the whole energy."""
 
+_PRODUCTS = {"⊥": n.Dot, "∥": n.Cross}
+"""The product of two vectors that vanishes where they stand so to each other."""
+
 GREATER, LESS = ("≥", ">"), ("≤", "<")
 
 
@@ -58,7 +62,7 @@ class Judge:
     def judged(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
         """What becomes of a statement, and what is known after it."""
         context = context.moved(moving_in(statement))
-        outcome, after = self._in_place(statement, situation, context)
+        outcome, after = self._for_each(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
         if situation.asked and not outcome.passed and outcome.verdict != DEFINITION:
             return Outcome(UNDECIDED, "it is asked, or denied"), doubting
@@ -75,6 +79,15 @@ class Judge:
             return outcome, after
         # What is said of a case says nothing of the others.
         return Outcome(PREMISE, "a special case"), doubting.knowing(letters_in(statement))
+
+    def _for_each(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
+        """The outcome of all components, where it speaks of any one."""
+        known = context.letters | context.given | context.declared | context.definitions.keys()
+        outcomes, after = [], context
+        for each in each_component(statement, known):
+            outcome, after = self._in_place(each, situation, after)
+            outcomes.append(outcome)
+        return joint(outcomes), after
 
     def _follows_if_open(
         self, statement: Statement, situation: Situation, context: Context
@@ -294,6 +307,9 @@ def _related(question: Question, relation: str) -> Judgement:
         return roots.each_sign(question, judge) if signs else judge(question)
     if relation == "→":
         return approximations.tending(question)
+    if relation in _PRODUCTS:
+        product = _PRODUCTS[relation](question.left, question.right)
+        return equality.judged(replace(question, left=product, right=ZERO))
     if relation not in CONDITIONS:
         raise UnclearError(f"{relation} is not judged")
     if question.at.inline:

@@ -42,6 +42,7 @@ def read_text(
 
 def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -> Read:
     """What each formula states, read with the functions of the whole text."""
+    text = [replace(x, text=_MARGIN.sub(lambda m: " " * len(m[0]), x.text)) for x in text]
     if any(_POINT.search(passage.text) for passage in text):
         text = [replace(x, text=_THOUSANDS.sub(_closed_up, x.text)) for x in text]
     own = frozenset(macros.items())
@@ -54,6 +55,11 @@ def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -
     return [(passage, _folded(each, table)) for passage, each in read] if table else read
 
 
+_MARGIN = re.compile(
+    r"\\q?quad\s*(?:\\[bB]ig[glr]?\s*)?(?:\||\\mid|\\vert)\s*(?:[:+/-]|\\cdot|\\times|\\div)"
+    r"[^\\&\n]*(?:\\(?!\\)[^\\&\n]*)*"
+)
+"""What is done with a row, behind a bar in its margin: | : sin θ."""
 _POINT = re.compile(r"\d\.\d")
 _THOUSANDS = re.compile(r"(?<![\d.])\d{1,3}(?:\{,\}\d{3})+(?!\d)")
 """A comma between thousands, where a point stands before decimals."""
