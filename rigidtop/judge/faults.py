@@ -212,7 +212,7 @@ def _is_right_path(question: Question, change: Change, meaning: Meaning) -> bool
     if change.left != question.left:
         return False
     try:
-        value = meaning.scalar(change.right)
+        value = meaning.scalar(paths.named_path(question, change.right)[1])
     except UnclearError:
         return False
     return value.has(TIME) and paths.solves(question, value)

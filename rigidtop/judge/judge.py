@@ -64,7 +64,8 @@ class Judge:
         context = context.moved(moving_in(statement))
         outcome, after = self._for_each(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
-        if situation.asked and not outcome.passed and outcome.verdict != DEFINITION:
+        names = outcome.verdict == DEFINITION and outcome.brings  # "is Q = … canonical?"
+        if situation.asked and not (outcome.passed or names):
             return Outcome(UNDECIDED, "it is asked, or denied"), doubting
         if outcome.verdict == FALSE and outcome.rests_on & context.doubted:
             why = "it rests on what has been said in two ways"

@@ -25,7 +25,7 @@ MOST_RATES = 3
 
 def path_of(question: Question) -> Path | None:
     """The motion that a statement gives; None if it gives none."""
-    letter, node = _named_path(question)
+    letter, node = named_path(question, question.right)
     if letter is None or question.at.instant or letter not in question.moving:
         return None
     value = question.meaning().value(node)
@@ -51,16 +51,16 @@ def path_of(question: Question) -> Path | None:
     return Path(letter, value, context.forgetting(letter), definition)
 
 
-def _named_path(question: Question) -> tuple[Letter | None, Node]:
-    """The letter of which the left side is a constant multiple, and what it is by the right one."""
+def named_path(question: Question, right: Node) -> tuple[Letter | None, Node]:
+    """The letter of which the left side is a constant multiple, and what it is by a right one."""
     letter, _ = named(question.left)
     if isinstance(question.left, n.Product):
         factors = question.left.factors
         moving = [x for x in factors if question.moves(question.meaning().value(x))]
         if len(moving) == 1 and isinstance(moving[0], Letter):
             rest = n.Product(tuple(x for x in factors if x is not moving[0]))
-            return moving[0], n.Quotient(question.right, rest)
-    return letter, question.right
+            return moving[0], n.Quotient(right, rest)
+    return letter, right
 
 
 def _needs_its_own(question: Question, letter: Letter) -> bool:

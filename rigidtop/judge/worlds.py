@@ -114,7 +114,8 @@ class Worlds:
         if gaps is None or not gaps.known.any():
             return None
         if gaps.are_hidden:
-            return self._holds_exactly(sides)
+            exactly = self._holds_exactly(sides)
+            return exactly if trivially else bool(exactly)
         if not trivially and gaps.says_little:
             return False
         holds = bool(gaps.closed[:, gaps.known].all())

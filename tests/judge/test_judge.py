@@ -238,6 +238,7 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 
 # a derivative may vanish, or be nearly equal
 . V = mgl(1 - \cos\theta) - Nl\theta
++ \frac{\partial V}{\partial\theta} = mgl\sin\theta - Nl
 ? \frac{\partial V}{\partial\theta} = 0
 ? \frac{\partial V}{\partial\theta} = mgl\theta - Nl
 
