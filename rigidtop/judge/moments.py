@@ -59,7 +59,7 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
         shown = passage.display
         if isinstance(each, Statement) and is_time(each):
             now = now or (f"s{sentence}" if _AFTER.search(passage.before) else "")
-            value = each.sides[1]
+            value = time_of(each)
             zero = isinstance(value, n.Number) and value.value == 0
             if zero and (now or not passage.display):
                 now = START
@@ -97,7 +97,22 @@ def _introduces(each: Statement | Unread, seen: Collection[Letter]) -> bool:
 
 def is_time(statement: Statement) -> bool:
     """Whether a statement says which moment is meant."""
-    return statement.sides[0] == Letter("t") and statement.relations == ("=",)
+    return time_of(statement) is not None
+
+
+def time_of(statement: Statement) -> Node | None:
+    """The time that a statement says, as t = 0 or ω t = π; None if it says none."""
+    if statement.relations != ("=",):
+        return None
+    left, right = statement.sides
+    if left == _TIME:
+        return right
+    if isinstance(left, n.Product) and left.factors.count(_TIME) == 1:
+        rest = tuple(x for x in left.factors if x != _TIME)
+        plain_rest = all(isinstance(x, (Letter, n.Number)) for x in rest)
+        if plain_rest and _TIME not in n.letters(right):
+            return n.Quotient(right, n.Product(rest))
+    return None
 
 
 def instant_at(time_of_it: Node) -> str:

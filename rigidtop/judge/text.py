@@ -12,7 +12,7 @@ from rigidtop.judge.ahead import explained_first
 from rigidtop.judge.context import Context, Habits
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
-from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time
+from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time, time_of
 from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import LATE, Read, read_text
@@ -189,7 +189,7 @@ def _step(
     at = situation(passage, asked.number, moment, passage.scope != scope, read.names)
     at = replace(at, case=asked.is_case)
     if at.instant and is_time(each):
-        context = replace(context, instants={**context.instants, at.instant: each.sides[1]})
+        context = replace(context, instants={**context.instants, at.instant: time_of(each)})
         return row(Outcome(DEFINITION, "a moment")), context
     outcome, context = in_time(judge, each, at, context, until)
     if Cue.CONSERVED in passage.cues and outcome.verdict == DEFINITION:
