@@ -182,6 +182,13 @@ class Context:
         """With something more that holds."""
         return replace(self, constraints=(*self.constraints, constraint))
 
+    def generally(self) -> Context:
+        """Without the special cases, and without the places that are passed."""
+        ended = (SETTING, PLACE)
+        kept = tuple(c for c in self.constraints if c.instant or c.kind not in ended)
+        definitions = {x: each for x, each in self.definitions.items() if not each.supposed}
+        return replace(self, constraints=kept, definitions=definitions)
+
     def moved(self, moving: frozenset[Letter]) -> Context:
         """Without the places of letters of which it is said how they move."""
         kept = tuple(c for c in self.constraints if c.kind != PLACE or c.left not in moving)

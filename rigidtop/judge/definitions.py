@@ -14,6 +14,7 @@ from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import DEFINITION, Outcome
 from rigidtop.judge.question import Judgement, Question
 from rigidtop.judge.sides import letters_of, named, own_letters, speaks_of
+from rigidtop.judge.starts import COORDINATES
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
@@ -40,8 +41,8 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     value = meaning.value(other)
     if speaks_of(value, letter):
         return None
-    place = name is question.right and question.at.inline and question.left in context.letters
-    if place and not question.at.derived:
+    place = name is question.right and question.left in context.letters
+    if place and (letter in context.letters or not question.at.derived):
         return None  # at x = a
     free = letter in habits.fields or _is_replaced(question, letter, other)
     if not free and _is_fixed(question, letter, value):
@@ -84,6 +85,9 @@ def _stays(question: Question, letter: Letter, value: Value) -> bool:
 def _is_case(question: Question, letter: Letter, node: Node) -> bool:
     """Whether a letter is given a number that is supposed, or is one of two that are equal."""
     alike = isinstance(node, Letter) and node.base == letter.base
+    at, passed = question.at, letter.base in COORDINATES and not letter.sub
+    if passed and at.inline and not at.derived and letter in question.context.letters:
+        return True  # half way, x = A/2
     return alike or (question.at.supposed and not n.letters(node))
 
 

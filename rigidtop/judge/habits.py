@@ -75,6 +75,25 @@ def _velocities(read: Sequence[Statement]) -> set[Letter]:
     return tied & squared
 
 
+_PLACES = frozenset("θφψxyzrs")
+
+
+def _passed(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
+    """The place that moves a speed: θ in v² = 2gR(1 − cos θ), if v moves and nothing else does."""
+    passed = set()
+    for each in read:
+        if each.relations != ("=",):
+            continue
+        left, right = each.sides
+        speed = left.base if isinstance(left, n.Power) else left
+        names = n.letters(right)
+        places = {x for x in names if x.base in _PLACES and not (x.sub or x.bold)}
+        is_speed = isinstance(speed, Letter) and speed.base in SPEEDS and speed in moving
+        if is_speed and not names & {*moving, TIME} and len(places) == 1:
+            passed |= places
+    return passed
+
+
 def _driven(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
     """The speed of which a momentum is a function, where that moves: v in p = m v/√(1 − v²/c²)."""
     driven = set()
@@ -156,6 +175,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     moving |= _velocities(read)
     moving |= {x for x in map(Letter, "xyz") if x in nodes and Letter("v", x.base) in moving}
     moving |= _driven(read, moving)
+    moving |= _passed(read, moving)
     moving |= _conjugate(read, moving)
     moving |= _parameters(read, moving)
     functions: dict[Letter, tuple[Node, ...]] = {}

@@ -10,6 +10,7 @@ from rigidtop.judge import approximations, bounds, equality, places, roots, stat
 from rigidtop.judge.components import each_component
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import Constraint, Context, Definition
+from rigidtop.judge.jets import jets
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
 from rigidtop.judge.meaning import Meaning, Memory, UnclearError, is_component
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, Outcome, joint
@@ -132,9 +133,23 @@ class Judge:
         for each in derived:
             judgement = self._in_order(statement, situation, each)
             # Whose momentum p is, is not said.
-            if judgement[0].passed or (len(derived) == 1 and judgement[0].verdict != UNDECIDED):
+            single = len(derived) == 1 and not self._is_driven(head, context)
+            if judgement[0].passed or (single and judgement[0].verdict != UNDECIDED):
                 return judgement
         return self._with_components(statement, situation, context)
+
+    def _is_driven(self, letter: Letter | None, context: Context) -> bool:
+        """Whether the energy may not be ∑ q̇ ∂L/∂q̇ − L, as something turns at a given rate."""
+        function = next((x for x in LAGRANGIANS if x in context.definitions), None)
+        if letter not in _TOTALS or function is None:
+            return False
+        try:
+            value = Meaning(context, self.memory).scalar(function)
+        except UnclearError:
+            return False
+        rates = [x for x, jet in jets(value).items() if jet.order]
+        rest = value.subs(dict.fromkeys(rates, 0))
+        return any(jet.letter.base in "ωΩ" for jet in jets(rest).values())
 
     def _in_some_axes(
         self, statement: Statement, situation: Situation, context: Context

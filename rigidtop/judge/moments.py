@@ -26,7 +26,9 @@ _STARTS = re.compile(
 
 
 _AGAIN = re.compile(
-    r"\b(?:at|in) (?:this|that) (?:place|point|moment|time|instant|angle|height)", re.I
+    r"\b(?:at|in) (?:this|that) (?:place|point|moment|time|instant|angle|height)"
+    r"|(?:^|[.;¶] ?)(?:there|dort|là)\b",
+    re.I,
 )
 _AFTER = re.compile(
     r"\b(?:in|after|at|within|nach|zur|bei|à|après|au bout)(?: [\w'-]+){0,3} ?\Z", re.I
@@ -39,13 +41,14 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
     """The instant of which each statement speaks; "" for all times."""
     made: list[str] = []
     seen: set[Letter] = {Letter("t"), *moving}
-    sentence, before, now, resting, any_time, shown = -1, "", "", -1, False, False
+    sentence, before, now, resting = -1, "", "", -1
+    any_time = shown = clocked = False
     for passage, each in read:
         resting = passage.sentence if Cue.REST in passage.cues else resting
-        begun = passage.display and resting == passage.sentence
+        begun = passage.display and resting == passage.sentence and not clocked
         over = passage.sentence == sentence and ends_moment(passage.before)
         if passage.sentence != sentence:
-            sentence, before, now, any_time = passage.sentence, now, "", False
+            sentence, before, now, any_time, clocked = passage.sentence, now, "", False, False
         any_time |= isinstance(each, Statement) and each.sides == (_TIME,)
         if Cue.GENERAL in passage.cues or begun or over:
             now = ""
@@ -59,7 +62,7 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
         shown = passage.display
         if isinstance(each, Statement) and is_time(each):
             now = now or (f"s{sentence}" if _AFTER.search(passage.before) else "")
-            value = time_of(each)
+            value, clocked = time_of(each), True
             zero = isinstance(value, n.Number) and value.value == 0
             if zero and (now or not passage.display):
                 now = START
@@ -69,7 +72,12 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
         starts = isinstance(each, Statement) and _is_start(each)
         now = START if starts and now else now
         named = not passage.display and _introduces(each, seen)
-        general = (passage.display and _speaks_of_time(each)) or _is_kinematic(each, moving)
+        timed = (
+            passage.display
+            and _speaks_of_time(each)
+            and not (isinstance(each, Statement) and is_time(each))
+        )
+        general = timed or _is_kinematic(each, moving)
         made.append(START if starts else "" if named or general else now)
         seen |= letters_in(each) if isinstance(each, Statement) else set()
     return made

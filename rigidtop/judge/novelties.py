@@ -31,7 +31,7 @@ def letters(question: Question) -> Judgement | None:
     new, context = question.new_letters, question.context
     if new and is_worked_out(question) and not question.moves(*question.gaps):
         return None  # it holds whatever they are
-    kind = SETTING if question.at.supposed else PREMISE
+    kind = SETTING if question.at.supposed or question.at.balanced else PREMISE
     if new and _are_zero(question, new, kind):
         return None
     if not new:
@@ -269,7 +269,8 @@ def value(question: Question) -> Judgement | None:
         if solved is not None:
             definition = Definition(solved, at.number, at.scope)
             return outcome, context.defining(letter, definition)
-    return outcome, context.holding(question.constraint(PREMISE))
+    kind = SETTING if at.inline or at.balanced else PREMISE
+    return outcome, context.holding(question.constraint(kind))
 
 
 def _free_in_premises(question: Question) -> list[Symbol]:

@@ -49,13 +49,30 @@ def stated(statement: Statement, at: Situation, context: Context) -> Context | N
     if not states or at.instant or not any(_is_kept(each) for each in context.constraints):
         return None
     habits = context.habits
-    varying = frozenset(states.values())
+    varying = frozenset(states.values()) | _varying(context)
     context = replace(context, habits=replace(habits, moving=habits.moving | varying))
     for name, letter in states.items():
         instant = f"state {name.sub}"
         value = Constraint(name, letter, at.number, SETTING, at.scope, instant, at.sentence)
         context = replace(context, instants={**context.instants, instant: None}).holding(value)
     return context
+
+
+_FIXED = frozenset("mMgGcqeħπ")
+"""Letters of masses and constants, which are the same in both states."""
+
+
+def _varying(context: Context) -> frozenset[Letter]:
+    """What a quantity that stays is made of, but for masses and constants."""
+    kept = [each.left.of for each in context.constraints if _is_kept(each)]  # type: ignore[attr-defined]
+    made: set[Letter] = set()
+    while kept:
+        letter = kept.pop()
+        definition = context.definitions.get(letter)
+        if letter not in made and definition is not None:
+            kept += n.letters(definition.node)
+        made.add(letter)
+    return frozenset(x for x in made if x.base not in _FIXED and not x.bold)
 
 
 def _is_kept(constraint: Constraint) -> bool:

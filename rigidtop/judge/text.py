@@ -167,6 +167,8 @@ def _step(
 
     if isinstance(each, Unread):
         return row(Outcome(UNREAD, each.reason)), context
+    if Cue.GENERAL in passage.cues:
+        context = context.generally()
     if not each.relations:
         if Cue.DIVISOR in passage.cues:
             return None, replace(context, not_zero=(*context.not_zero, *each.sides))

@@ -131,7 +131,9 @@ _POINTING = (
 
 BEFORE: dict[Cue, tuple[str, ...]] = {
     Cue.MOMENT: (
-        rf"\b(?:at|in|near|passes|reaches) (?:the|its|this|that) {_PLACE}\b[^§]*",
+        rf"\b(?:at|in|near|passes|reaches) (?:(?:the|its|this|that) )?{_PLACE}\b[^§]*",
+        r"(?:^|[.;¶] ?)(?:there(?! (?:is|are|was|were|exists?|remains?|must|can|will|has)\b)"
+        r"|dort|là)\b[^§]*",
         r"(?:^|[.;¶] ?)(?:the )?(?:lowest|highest|foremost|nearest) point\b[^§]*",
         r"\bat the (?:time|moment|instant) §[^§]*",
         r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
@@ -227,7 +229,9 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
     ),
     Cue.GENERAL: (
         r"\b(?:in general|generally|again|exact(?:ly)?|without (?:the |this )?approximations?"
-        r"|on the other hand|for all (?:times?|t|§)|at (?:any|all|every) (?:times?|moment)"
+        r"|on the other hand|(?:for|at|in) (?:any|all|every|each)(?: other)? (?:times?|t\b|§"
+        r"|moments?|points?|places?|positions?|distances?|angles?|instants?|motions?)"
+        r"|everywhere|throughout|all the way|(?:on|during|along) the whole \w+|überall|partout"
         r"|(?<!as )always"
         r"|(?:im )?allgemein(?:en)?|wieder|exakt|genau|andererseits|jederzeit|zu jeder Zeit|stets"
         r"|en général|à nouveau|exactement|d['’]autre part|à tout instant|toujours)\b",
