@@ -10,7 +10,8 @@ from rigidtop.read.grammar import Grammar
 from rigidtop.read.scripts import taken
 from rigidtop.read.shapes import head_of, parted
 from rigidtop.read.tex import UnreadError
-from rigidtop.read.tokens import MATRICES, Token, written
+from rigidtop.read.tokens import Token, written
+from rigidtop.read.vocabulary import MATRICES
 from rigidtop.tree.nodes import Absolute, Average, Braced, Group, Matrix, Node, Omitted, Tuple
 
 

@@ -18,8 +18,8 @@ from rigidtop.read.grammar import FactorRules, Grammar
 from rigidtop.read.scripts import scripted
 from rigidtop.read.shapes import FRACTIONS, upright
 from rigidtop.read.tex import UnreadError, commands
-from rigidtop.read.tokens import CONSTANT, FUNCTIONS
 from rigidtop.read.units import units
+from rigidtop.read.vocabulary import CONSTANT, FUNCTIONS
 from rigidtop.tree.nodes import Constant, Letter, Node, Number, Omitted
 from rigidtop.tree.nodes import letters as letters_of
 

@@ -13,8 +13,9 @@ from typing import Final
 from rigidtop.read.dress import DOTS, DRESS
 from rigidtop.read.shapes import FRACTIONS, brackets, is_operator, product_of, unbraced
 from rigidtop.read.tex import DEEPEST, UnreadError, listed
-from rigidtop.read.tokens import CONSTANT, FUNCTIONS, MATRICES, Token, written
+from rigidtop.read.tokens import Token, written
 from rigidtop.read.units import units
+from rigidtop.read.vocabulary import CONSTANT, FUNCTIONS, MATRICES
 from rigidtop.tree.nodes import (
     Cross,
     Dot,

@@ -20,7 +20,8 @@ from rigidtop.read.grammar import Grammar, Reading
 from rigidtop.read.macros import PACKAGES, Macros, expanded
 from rigidtop.read.shapes import parted
 from rigidtop.read.tex import UnreadError, listed, pieces
-from rigidtop.read.tokens import CASES, DERIVATIVES, Token, tokens
+from rigidtop.read.tokens import Token, tokens
+from rigidtop.read.vocabulary import CASES, DERIVATIVES
 from rigidtop.tree.nodes import (
     Group,
     Letter,
