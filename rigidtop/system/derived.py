@@ -11,8 +11,9 @@ from typing import Any
 import sympy
 from sympy import Expr, Integer, Matrix, Rational, Symbol
 
-from rigidtop.codegen.graph import points, somewhere
+from rigidtop.codegen.graph import somewhere
 from rigidtop.codegen.lines import StraightLine, straight_line
+from rigidtop.codegen.points import points
 from rigidtop.codegen.solve import SingularError, solved
 from rigidtop.errors import RigidtopError
 from rigidtop.proof import decide
