@@ -125,7 +125,7 @@ class _Answer:
         self, each: Statement, at: Situation, limits: _Limits
     ) -> tuple[_Answer, Outcome, int]:
         """What is known behind the next line, what becomes of it, and in which context."""
-        each, found = self._tried(each, at, limits)
+        each, judgements = self._tried(each, at, limits)
         quick = Judge(self.judge.memory, patience=Patience(0))
 
         def judged(
@@ -133,8 +133,8 @@ class _Answer:
         ) -> list[tuple[Outcome, Context]]:
             return _judged(judge, each, at, contexts, limits)
 
-        place = _best([outcome for outcome, _ in found], self.contexts)
-        outcome = found[place][0]
+        place = _best([outcome for outcome, _ in judgements], self.contexts)
+        outcome = judgements[place][0]
         [(named, names)] = judged([self.names])
         if named.passed and not outcome.passed and _is_of_numbers(each):
             outcome, place = named, 0
@@ -142,7 +142,7 @@ class _Answer:
         if nearly and named.verdict == FALSE and outcome.verdict == UNDECIDED:
             outcome = named  # what letters are called says already what tends to what
         if "≠" in each.relations:
-            outcome = next((o for o, _ in found if o.verdict == FALSE), outcome)
+            outcome = next((o for o, _ in judgements if o.verdict == FALSE), outcome)
         if outcome.verdict == FALSE and not outcome.slip and not self.believed:
             searched = judged(self.contexts, self.judge)
             outcome = next((o for o, _ in searched if o.slip), outcome)
@@ -161,9 +161,9 @@ class _Answer:
             sound = (*sound, *equalities(chain, each))
         special = bool(outcome.passed) and place == len(self.contexts) - 1
         lost = self._lost(each) if special else ()
-        made = replace(
+        answer = replace(
             self,
-            contexts=tuple(context for _, context in found),
+            contexts=tuple(context for _, context in judgements),
             names=names,
             believed=believed,
             sound=sound,
@@ -172,21 +172,21 @@ class _Answer:
             carried=carried,
             moment=at.instant or (self.moment if outcome.verdict == UNDECIDED else ""),
         )
-        return made, outcome, place
+        return answer, outcome, place
 
     def _tried(
         self, each: Statement, at: Situation, limits: _Limits
     ) -> tuple[Statement, list[tuple[Outcome, Context]]]:
         """A line as it is written, or as it may be meant where it fails so; with its outcomes."""
         quick = Judge(self.judge.memory, patience=Patience(0))
-        found = _judged(quick, each, at, self.contexts, limits)
+        judgements = _judged(quick, each, at, self.contexts, limits)
         for other, verdict in self._otherwise(each):
-            if any(outcome.verdict != verdict for outcome, _ in found):
+            if any(outcome.verdict != verdict for outcome, _ in judgements):
                 continue
             again = _judged(quick, other, at, self.contexts, limits)
             if verdict == UNDECIDED or any(outcome.passed for outcome, _ in again):
-                each, found = other, again
-        return each, found
+                each, judgements = other, again
+        return each, judgements
 
     def _holds_then(self, each: Statement, at: Situation, limits: _Limits) -> bool:
         """Whether it is right at the moment, if there is one, of which the line before speaks."""
@@ -256,12 +256,12 @@ def _best(outcomes: Sequence[Outcome], contexts: Sequence[Context]) -> int:
     What names a letter that another context knows says nothing.
     """
     kinds = (DEFINITION, PREMISE, FALSE, UNDECIDED)
-    known = {plain(x) for context in contexts for x in context.given}
+    names = {plain(x) for context in contexts for x in context.given}
 
     def place(k: int) -> tuple[bool, bool, int, bool]:
         outcome = outcomes[k]
         order = kinds.index(outcome.verdict) if outcome.verdict in kinds else len(kinds)
-        return not outcome.passed, bool(outcome.brings & known), order, not outcome.slip
+        return not outcome.passed, bool(outcome.brings & names), order, not outcome.slip
 
     return min(range(len(outcomes)), key=place)
 
@@ -290,8 +290,8 @@ def _with_vector(each: Statement, contexts: Sequence[Context]) -> Statement | No
     if not isinstance(left, Letter) or left.bold:
         return None
     bold = replace(left, bold=True)
-    known = any(bold in context.given for context in contexts)
-    return replace(each, sides=(bold, *each.sides[1:])) if known else None
+    is_known = any(bold in context.given for context in contexts)
+    return replace(each, sides=(bold, *each.sides[1:])) if is_known else None
 
 
 # --- Marks ---------------------------------------------------------------------------------------
@@ -308,20 +308,20 @@ def _marked(
     at: int, each: Statement, outcome: Outcome, answer: _Answer, wrong: int, words: str
 ) -> Marked:
     """A line with its mark; `wrong` is the first line that is wrong, if there is one above it."""
-    said = plain(each)
+    text = plain(each)
     if outcome.passed:
         notes = [f"for {words}" * bool(words), outcome.why]
-        return Marked(at, said, Mark.FOLLOWS, "; ".join(filter(None, notes)))
+        return Marked(at, text, Mark.FOLLOWS, "; ".join(filter(None, notes)))
     if outcome.verdict != FALSE:
-        return Marked(at, said, _MARKS[outcome.verdict], outcome.why)
+        return Marked(at, text, _MARKS[outcome.verdict], outcome.why)
     if not wrong:
-        return Marked(at, said, Mark.WRONG, outcome.why, outcome.slip, outcome.right)
+        return Marked(at, text, Mark.WRONG, outcome.why, outcome.slip, outcome.right)
     if answer.carried:
         return Marked(
-            at, said, Mark.CARRIED, f"follows from line {wrong}, which does not", behind=wrong
+            at, text, Mark.CARRIED, f"follows from line {wrong}, which does not", behind=wrong
         )
     why = f"does not hold either, behind a wrong line: {outcome.why}"
-    return Marked(at, said, Mark.CARRIED, why, outcome.slip, outcome.right)
+    return Marked(at, text, Mark.CARRIED, why, outcome.slip, outcome.right)
 
 
 def _marking(lines: tuple[Marked, ...], answer: _Answer, task: Task, until: float) -> Marking:
@@ -329,8 +329,8 @@ def _marking(lines: tuple[Marked, ...], answer: _Answer, task: Task, until: floa
 
     contexts = (answer.names, *answer.contexts)
 
-    def reached(together: Together, said: Sequence[Statement]) -> bool:
-        return all(is_reached(each, said, contexts) for each in together)
+    def reached(together: Together, statements: Sequence[Statement]) -> bool:
+        return all(is_reached(each, statements, contexts) for each in together)
 
     arrives = any(reached(together, answer.sound) for together in task.goals)
     if time.process_time() > until:
