@@ -4,6 +4,7 @@ A node is a sum, a product, a power, a call or a leaf of those before it.  Each 
 point, to many digits, with letters that have no relation there.  What is made of analytic functions
 and has the same value as another node is the same function: sin² + cos² is 1 without any rule.
 
+>>> from rigidtop.codegen.nodes import ONE
 >>> x, y = sympy.symbols("x y")
 >>> graph = Graph(next(points([x, y])))
 >>> value = graph.expression((x + y) ** 2 * (sympy.sin(x) ** 2 + sympy.cos(x) ** 2))
@@ -15,27 +16,24 @@ StraightLine(shared=((x0, x + y),), results=(x0**2, 2*x0))
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cache, lru_cache
-from typing import Any, NamedTuple, TypeVar
+from functools import lru_cache
+from typing import Any, TypeVar
 
 import mpmath
 import sympy
 from sympy import Derivative, Dummy, Expr, Subs
 from sympy.core.function import AppliedUndef
 
+from rigidtop.codegen.nodes import ZERO, Call, Leaf, Node, Number, Power, Product, Sum, Value, parts
+from rigidtop.codegen.points import DIGITS, NotRealError, decimal, generic, number_of, points
 from rigidtop.errors import RigidtopError
 
 Made = TypeVar("Made")
 
-
-DIGITS = mpmath.MPContext()
-DIGITS.prec = 240
-"""Arithmetic of the values."""
 
 SAME = 160
 """Bits in which two values have to agree."""
@@ -51,52 +49,6 @@ SPARE = 1000
 
 CANDIDATES = 32
 """Sums, and products, with a term in common that are tried as a part of another."""
-
-Number = Any
-"""An integer or a fraction of Python, which are quick, or a decimal number of SymPy."""
-
-Value = tuple[Number, int]
-"""A number times a node."""
-
-
-class Sum(NamedTuple):
-    """Numbers times nodes, added."""
-
-    terms: tuple[Value, ...]
-
-
-class Product(NamedTuple):
-    """Nodes multiplied, and those by which that is divided."""
-
-    above: tuple[int, ...]
-    below: tuple[int, ...]
-
-
-class Power(NamedTuple):
-    """A value to the power of a number that is positive and not 1."""
-
-    base: Value
-    exponent: Number
-
-
-class Call(NamedTuple):
-    """A function of SymPy, and values that it is of."""
-
-    function: Any
-    arguments: tuple[Value, ...]
-
-
-class Leaf(NamedTuple):
-    """A letter, or what is differentiated and printed by SymPy as it stands."""
-
-    expression: Expr
-
-
-Node = Sum | Product | Power | Call | Leaf
-
-ZERO: Value = (0, 0)
-ONE: Value = (1, 0)
-MINUS: Value = (-1, 0)
 
 
 @dataclass(frozen=True)
@@ -229,7 +181,7 @@ class Graph:
         if function in ANALYTIC:
             number = getattr(DIGITS, function.__name__)(*numbers)
         else:
-            number = _number(function(*map(_float, numbers)))
+            number = number_of(function(*map(decimal, numbers)))
         return self._node(Call(function, tuple(arguments)), number, analytic)
 
     def _factors(self, k: int) -> Iterator[tuple[Value, Number]]:
@@ -325,8 +277,8 @@ class Graph:
             return self.call(given.func, [self.expression(x) for x in given.args])
         number = self.point.get(given)
         if number is None and isinstance(given, OWN):
-            number = _generic(SPARE + len(self.nodes))
-        value = _number(given.xreplace(self.point) if number is None else number)
+            number = generic(SPARE + len(self.nodes))
+        value = number_of(given.xreplace(self.point) if number is None else number)
         return self._node(Leaf(given), value, number is not None or given.is_number)
 
     def derivative(self, value: Value, along: Direction) -> Value:
@@ -427,19 +379,6 @@ def _reciprocal(number: Number) -> Number:
     return 1 / number
 
 
-def parts(node: Node) -> list[int]:
-    """The nodes of which a node is made."""
-    if isinstance(node, Sum):
-        return [k for _, k in node.terms]
-    if isinstance(node, Product):
-        return [*node.above, *node.below]
-    if isinstance(node, Power):
-        return [node.base[1]]
-    if isinstance(node, Call):
-        return [k for _, k in node.arguments]
-    return []
-
-
 def _is_called(given: Expr) -> bool:
     """Whether an expression is a function of values, whose slopes are such too."""
     if isinstance(given, (*OWN, sympy.Piecewise, sympy.Max, sympy.Min)) or not given.args:
@@ -454,44 +393,6 @@ def _slopes(function: Any, count: int) -> tuple[tuple[Dummy, ...], tuple[Expr, .
     letters = tuple(Dummy(real=True) for _ in range(count))
     made = tuple(function(*letters).diff(x) for x in letters)
     return None if any(x.has(*OWN) for x in made) else (letters, made)
-
-
-def _float(number: Any) -> Expr:
-    return sympy.Float(number, 70)
-
-
-def _number(given: Expr) -> Any:
-    value = sympy.N(given, 70)
-    if not value.is_Float and not value.is_Rational:
-        raise NotRealError(str(given))
-    return DIGITS.convert(value)
-
-
-class NotRealError(ValueError):
-    """An expression has no real value at a point."""
-
-
-TRIED = 60
-"""Points at which numbers are looked for, where square roots and logarithms may have none."""
-
-
-@cache
-def _generic(k: int) -> Expr:
-    """A number from a half to three halves, without a relation to those for other k."""
-    root = DIGITS.sqrt(sympy.prime(k + 5))
-    return sympy.Float(root - DIGITS.floor(root) + DIGITS.mpf(0.5), 60)
-
-
-def points(letters: Sequence[Expr]) -> Iterator[dict[Expr, Expr]]:
-    """Numbers without a relation between them, first all from a half to three halves."""
-    first = {x: _generic(k) for k, x in enumerate(letters)}
-    yield first
-    rng = random.Random(1)
-    for _ in range(TRIED):
-        yield {
-            x: value * (1 if x.is_positive or rng.random() < 0.5 else -1) * 4 ** rng.randint(-4, 4)
-            for x, value in first.items()
-        }
 
 
 def somewhere(expressions: Iterable[Expr], build: Callable[[Graph], Made]) -> Made:

@@ -13,19 +13,8 @@ from typing import Any
 import sympy
 from sympy import Expr, Symbol
 
-from rigidtop.codegen.graph import (
-    OWN,
-    Call,
-    Graph,
-    Leaf,
-    Node,
-    Number,
-    Power,
-    Product,
-    Sum,
-    Value,
-    parts,
-)
+from rigidtop.codegen.graph import OWN, Graph
+from rigidtop.codegen.nodes import Call, Leaf, Node, Number, Power, Product, Sum, Value, parts
 
 MOST_TERMS = 64
 """Terms of a sum on one line: Python's own compiler fails at sums of thousands."""

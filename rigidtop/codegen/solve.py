@@ -23,8 +23,9 @@ from itertools import tee
 
 from sympy import Expr, MatrixBase, Symbol
 
-from rigidtop.codegen.graph import MINUS, ZERO, Graph, Value, somewhere
+from rigidtop.codegen.graph import Graph, somewhere
 from rigidtop.codegen.lines import StraightLine, straight_line
+from rigidtop.codegen.nodes import MINUS, ZERO, Value
 
 NEGLIGIBLE = 1e-20
 """Part of the largest entry of a matrix up to which another is none."""

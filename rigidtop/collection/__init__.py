@@ -65,7 +65,7 @@ from rigidtop.proof.page import Claim, Page, by_lines
 from rigidtop.read.library import Law, laws_of
 from rigidtop.read.page import read_beside, read_exercises, read_lecture
 from rigidtop.read.tables import rows
-from rigidtop.report.blocks import NOTES, Front
+from rigidtop.report.front import NOTES, Front
 from rigidtop.terminal.files import text_of
 from rigidtop.theory import symbols
 from rigidtop.theory.lettered import Lettered

@@ -11,7 +11,8 @@ from rigidtop.errors import RigidtopError
 from rigidtop.terminal.files import text_of
 
 if TYPE_CHECKING:
-    from rigidtop.report.blocks import Front, Look
+    from rigidtop.report.blocks import Look
+    from rigidtop.report.front import Front
 
 MOST_POINTS = 1000
 

@@ -15,24 +15,20 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from rigidtop.errors import RigidtopError
-from rigidtop.judge.approximations import INFINITY
 from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Definition, Habits
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import LAGRANGIANS
-from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
-from rigidtop.judge.reading import Read, read_text
+from rigidtop.judge.reading import read_text
 from rigidtop.judge.sides import NEARLY
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.text import declared_letters, in_time, situation
-from rigidtop.mark.arrival import equalities, head, holds_on, is_reached, is_said, is_trivial
+from rigidtop.judge.text import in_time
+from rigidtop.mark.arrival import equalities, holds_on, is_reached, is_said, is_trivial
+from rigidtop.mark.assertions import asserted
 from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.task import Branch, Task, Together
-from rigidtop.read.cues import Cue
-from rigidtop.read.document import problems
-from rigidtop.read.passages import Passage
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain
@@ -61,13 +57,13 @@ def mark(
     until = time.process_time() + altogether
     answer = _Answer.begun(source, task)
     lines: list[Marked] = []
-    for at, each, situated in _asserted(source, task, until):
+    for at, each, situated in asserted(source, task, until):
         if len(lines) == MOST_LINES:
             lines.append(Marked(at, "", Mark.UNREAD, f"more than {MOST_LINES} lines"))
             break
         if isinstance(each, Unread):
-            said = " ".join(str(situated).split())
-            lines.append(Marked(at, said, Mark.UNREAD, each.reason))
+            text = " ".join(str(situated).split())
+            lines.append(Marked(at, text, Mark.UNREAD, each.reason))
             continue
         assert isinstance(situated, Situation)
         answer, outcome, place = answer.after(each, situated, _Limits(a_line, until))
@@ -82,151 +78,6 @@ class _Limits:
 
     a_line: float
     until: float
-
-
-# --- Reading -------------------------------------------------------------------------------------
-
-
-def _asserted(
-    source: str, task: Task, until: float
-) -> Iterator[tuple[int, Statement | Unread, Situation | str]]:
-    """What an answer asserts, in the letters of its task, with the line where it stands.
-
-    With it goes what the words around it say; with what is unread, what stands there.
-    """
-    read, place = read_text(source, until=until, plain=True)
-    read = _conditions_first(read)
-    for problem in problems(source):
-        rest = source[problem.position : problem.position + 60].split("\n", 1)[0]
-        yield place(problem.position)[0], Unread(problem.position, problem.reason), rest
-    names, moments, large = declared_letters(source), instants(read), _behind_large(read)
-    moments = [each or _only_there(k, read) for k, each in enumerate(moments)]
-    moving = frozenset().union(*(context.habits.moving for context in task.contexts))
-    for number, (passage, each) in enumerate(read):
-        line = place(passage.start + each.position)[0]
-        if isinstance(each, Unread):
-            yield line, each, passage.text
-            continue
-        if not each.relations or any(isinstance(x, n.Omitted) for x in each.sides):
-            continue
-        if is_time(each):
-            continue  # a moment: what is said of it has its own place there
-        at = situation(passage, number, moments[number], False, names)
-        if _is_supposed(passage, each):
-            at = replace(at, supposed=True)
-        if large[number]:
-            at = replace(at, large=True, small=False)
-        said, time = at_one_time(_in_letters_of(each, read, task.contexts), moving)
-        at = replace(at, instant=at.instant if time is None else instant_at(time))
-        yield line, said, replace(at, closed=True)
-
-
-_SUPPOSE = re.compile(
-    r"\W*(?:(?:we|now|let us|wir) )?(?:suppose|assum|if|let|angenommen|annehm|falls|wenn|seien?)\b",
-    re.I,
-)
-"""Words with which a sentence begins that supposes something."""
-
-
-def _is_supposed(passage: Passage, each: Statement) -> bool:
-    """Whether letters are given a number in the first statement of a sentence that supposes."""
-    sides = (x.of if isinstance(x, n.Rate) and x.dotted else x for x in each.sides[:-1])
-    return (
-        not passage.display
-        and bool(_SUPPOSE.match(passage.before))
-        and isinstance(each.sides[-1], n.Number)
-        and all(isinstance(side, Letter) for side in sides)
-    )
-
-
-def _behind_large(read: Read) -> list[bool]:
-    """Whether each statement is of what words say is large: these reach on in their scope.
-
-    They end where something is small, or all is general again.
-    """
-    reached: list[bool] = []
-    scope: tuple[int, ...] | None = None
-    for passage, each in read:
-        tends = isinstance(each, Statement) and each.sides[-1] == INFINITY
-        if tends or Cue.LARGE in passage.cues:
-            scope = passage.scope
-        elif passage.cues & {Cue.SMALL, Cue.GENERAL} or passage.scope != scope:
-            scope = None
-        reached.append(scope is not None)
-    return reached
-
-
-_WHERE = re.compile(
-    r"\W*(?:(?:only|exactly|just|nur|genau) )?(?:for|if|when|where|at|falls|wenn|für|bei|wo)\W*",
-    re.I,
-)
-"""Words between a value and the condition under which a letter has it."""
-
-
-def _has_condition(k: int, read: Read) -> bool:
-    """Whether a letter is given a number there where the next formula holds."""
-    if k + 1 >= len(read):
-        return False
-    (passage, each), (behind, condition) = read[k : k + 2]
-    return (
-        passage.sentence == behind.sentence
-        and passage.start < behind.start
-        and bool(_WHERE.fullmatch(passage.behind))
-        and isinstance(each, Statement)
-        and isinstance(condition, Statement)
-        and {*each.relations} == {*condition.relations} == {"="}
-        and isinstance(each.sides[-1], n.Number)
-        and not is_time(condition)
-        and not any(isinstance(side, n.Constant) for side in condition.sides)
-    )
-
-
-def _conditions_first(read: Read) -> Read:
-    """The text with the condition before the value that it is for."""
-    order = list(range(len(read)))
-    for k in order[:-1]:
-        if _has_condition(k, read):
-            order[k], order[k + 1] = k + 1, k
-    return [read[k] for k in order]
-
-
-def _only_there(k: int, read: Read) -> str:
-    """The place of which a condition and the value that stood before it speak, if there is one."""
-    for j in (k - 1, k):
-        turned = [*read[j : j + 2]][::-1]
-        if j >= 0 and len(turned) == 2 and _has_condition(0, turned):
-            return f"there {turned[0][0].start}"
-    return ""
-
-
-def _in_letters_of(each: Statement, read: Read, facts: Sequence[Context]) -> Statement:
-    """The statement in the letters of the facts: e₃ for the vector, ℒ for L with a derivative."""
-    known = frozenset().union(*(context.letters for context in facts))
-    written = {head(x.sides[0]) for _, x in read if isinstance(x, Statement)}
-    differentiated = {
-        n.ungrouped(x.of)
-        for _, other in read
-        if isinstance(other, Statement)
-        for side in other.sides
-        for x in n.walked(side)
-        if isinstance(x, n.Derivative)
-    }
-
-    def change(node: Node) -> Node:
-        if not isinstance(node, Letter):
-            return node
-        if node == Letter("L") and node in differentiated and Letter("ℒ") in known:
-            return Letter("ℒ")
-        if node not in known and node not in written:
-            for mark in (node.mark, node.mark.replace("hat", "")):
-                bold = replace(node, bold=True, mark=mark)
-                if bold in known:
-                    return bold
-        if node.sub == "t" and node not in known and replace(node, sub="") in known:
-            return n.Rate(replace(node, sub=""), 1, True)  # θ_t for θ̇
-        return node
-
-    return replace(each, sides=tuple(n.mapped(side, change) for side in each.sides))
 
 
 # --- The fold ------------------------------------------------------------------------------------
@@ -274,7 +125,7 @@ class _Answer:
         self, each: Statement, at: Situation, limits: _Limits
     ) -> tuple[_Answer, Outcome, int]:
         """What is known behind the next line, what becomes of it, and in which context."""
-        each, found = self._tried(each, at, limits)
+        each, judgements = self._tried(each, at, limits)
         quick = Judge(self.judge.memory, patience=Patience(0))
 
         def judged(
@@ -282,8 +133,8 @@ class _Answer:
         ) -> list[tuple[Outcome, Context]]:
             return _judged(judge, each, at, contexts, limits)
 
-        place = _best([outcome for outcome, _ in found], self.contexts)
-        outcome = found[place][0]
+        place = _best([outcome for outcome, _ in judgements], self.contexts)
+        outcome = judgements[place][0]
         [(named, names)] = judged([self.names])
         if named.passed and not outcome.passed and _is_of_numbers(each):
             outcome, place = named, 0
@@ -291,7 +142,7 @@ class _Answer:
         if nearly and named.verdict == FALSE and outcome.verdict == UNDECIDED:
             outcome = named  # what letters are called says already what tends to what
         if "≠" in each.relations:
-            outcome = next((o for o, _ in found if o.verdict == FALSE), outcome)
+            outcome = next((o for o, _ in judgements if o.verdict == FALSE), outcome)
         if outcome.verdict == FALSE and not outcome.slip and not self.believed:
             searched = judged(self.contexts, self.judge)
             outcome = next((o for o, _ in searched if o.slip), outcome)
@@ -310,9 +161,9 @@ class _Answer:
             sound = (*sound, *equalities(chain, each))
         special = bool(outcome.passed) and place == len(self.contexts) - 1
         lost = self._lost(each) if special else ()
-        made = replace(
+        answer = replace(
             self,
-            contexts=tuple(context for _, context in found),
+            contexts=tuple(context for _, context in judgements),
             names=names,
             believed=believed,
             sound=sound,
@@ -321,21 +172,21 @@ class _Answer:
             carried=carried,
             moment=at.instant or (self.moment if outcome.verdict == UNDECIDED else ""),
         )
-        return made, outcome, place
+        return answer, outcome, place
 
     def _tried(
         self, each: Statement, at: Situation, limits: _Limits
     ) -> tuple[Statement, list[tuple[Outcome, Context]]]:
         """A line as it is written, or as it may be meant where it fails so; with its outcomes."""
         quick = Judge(self.judge.memory, patience=Patience(0))
-        found = _judged(quick, each, at, self.contexts, limits)
+        judgements = _judged(quick, each, at, self.contexts, limits)
         for other, verdict in self._otherwise(each):
-            if any(outcome.verdict != verdict for outcome, _ in found):
+            if any(outcome.verdict != verdict for outcome, _ in judgements):
                 continue
             again = _judged(quick, other, at, self.contexts, limits)
             if verdict == UNDECIDED or any(outcome.passed for outcome, _ in again):
-                each, found = other, again
-        return each, found
+                each, judgements = other, again
+        return each, judgements
 
     def _holds_then(self, each: Statement, at: Situation, limits: _Limits) -> bool:
         """Whether it is right at the moment, if there is one, of which the line before speaks."""
@@ -405,12 +256,12 @@ def _best(outcomes: Sequence[Outcome], contexts: Sequence[Context]) -> int:
     What names a letter that another context knows says nothing.
     """
     kinds = (DEFINITION, PREMISE, FALSE, UNDECIDED)
-    known = {plain(x) for context in contexts for x in context.given}
+    names = {plain(x) for context in contexts for x in context.given}
 
     def place(k: int) -> tuple[bool, bool, int, bool]:
         outcome = outcomes[k]
         order = kinds.index(outcome.verdict) if outcome.verdict in kinds else len(kinds)
-        return not outcome.passed, bool(outcome.brings & known), order, not outcome.slip
+        return not outcome.passed, bool(outcome.brings & names), order, not outcome.slip
 
     return min(range(len(outcomes)), key=place)
 
@@ -439,8 +290,8 @@ def _with_vector(each: Statement, contexts: Sequence[Context]) -> Statement | No
     if not isinstance(left, Letter) or left.bold:
         return None
     bold = replace(left, bold=True)
-    known = any(bold in context.given for context in contexts)
-    return replace(each, sides=(bold, *each.sides[1:])) if known else None
+    is_known = any(bold in context.given for context in contexts)
+    return replace(each, sides=(bold, *each.sides[1:])) if is_known else None
 
 
 # --- Marks ---------------------------------------------------------------------------------------
@@ -457,20 +308,20 @@ def _marked(
     at: int, each: Statement, outcome: Outcome, answer: _Answer, wrong: int, words: str
 ) -> Marked:
     """A line with its mark; `wrong` is the first line that is wrong, if there is one above it."""
-    said = plain(each)
+    text = plain(each)
     if outcome.passed:
         notes = [f"for {words}" * bool(words), outcome.why]
-        return Marked(at, said, Mark.FOLLOWS, "; ".join(filter(None, notes)))
+        return Marked(at, text, Mark.FOLLOWS, "; ".join(filter(None, notes)))
     if outcome.verdict != FALSE:
-        return Marked(at, said, _MARKS[outcome.verdict], outcome.why)
+        return Marked(at, text, _MARKS[outcome.verdict], outcome.why)
     if not wrong:
-        return Marked(at, said, Mark.WRONG, outcome.why, outcome.slip, outcome.right)
+        return Marked(at, text, Mark.WRONG, outcome.why, outcome.slip, outcome.right)
     if answer.carried:
         return Marked(
-            at, said, Mark.CARRIED, f"follows from line {wrong}, which does not", behind=wrong
+            at, text, Mark.CARRIED, f"follows from line {wrong}, which does not", behind=wrong
         )
     why = f"does not hold either, behind a wrong line: {outcome.why}"
-    return Marked(at, said, Mark.CARRIED, why, outcome.slip, outcome.right)
+    return Marked(at, text, Mark.CARRIED, why, outcome.slip, outcome.right)
 
 
 def _marking(lines: tuple[Marked, ...], answer: _Answer, task: Task, until: float) -> Marking:
@@ -478,8 +329,8 @@ def _marking(lines: tuple[Marked, ...], answer: _Answer, task: Task, until: floa
 
     contexts = (answer.names, *answer.contexts)
 
-    def reached(together: Together, said: Sequence[Statement]) -> bool:
-        return all(is_reached(each, said, contexts) for each in together)
+    def reached(together: Together, statements: Sequence[Statement]) -> bool:
+        return all(is_reached(each, statements, contexts) for each in together)
 
     arrives = any(reached(together, answer.sound) for together in task.goals)
     if time.process_time() > until:

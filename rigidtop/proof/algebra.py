@@ -10,7 +10,7 @@ What is known of a letter comes with the `Letters` of the subject; there is no t
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import reduce
 from typing import Any
@@ -30,12 +30,20 @@ from rigidtop.proof.equation import (
     Printed,
     Rate,
     Slope,
-    SumOver,
     Transposed,
     Underbrace,
-    VolumeIntegral,
 )
 from rigidtop.proof.operators import Operators
+from rigidtop.proof.sums import (
+    SUMS,
+    indices,
+    is_vector,
+    linear,
+    linear_factors,
+    order_of,
+    parted,
+    varies,
+)
 from rigidtop.proof.values import (
     ELLIPTIC,
     TIME,
@@ -116,7 +124,7 @@ class Algebra(Operators):
     def _printed(self, node: Printed) -> Value:
         if isinstance(node, Partial):
             return self.atom(node)  # one atom: what is put in does not reach into it
-        if isinstance(node, (SumOver, VolumeIntegral)):
+        if isinstance(node, SUMS):
             return self.summed(node, self.value(node.args[1]))
         if isinstance(node, IntegralOver):
             return self.integrated(*node.args)
@@ -216,7 +224,7 @@ class Algebra(Operators):
         if isinstance(a, Applied) or isinstance(b, Applied):
             return self._dot_images(a, b)
         for vector, other in ((a, b), (b, a)):
-            if isinstance(vector, (SumOver, VolumeIntegral)) and self._bilinear(vector, other):
+            if isinstance(vector, SUMS) and self._bilinear(vector, other):
                 return self._summed_scalar(vector, self._dotted(vector.args[1], other))
         if isinstance(b, Cross) and not isinstance(a, Cross):
             a, b = b, a
@@ -299,52 +307,35 @@ class Algebra(Operators):
             )
         return Add(*(self._summed_scalar(node, t) for t in Add.make_args(sympy.expand(body))))
 
-    def _indices(self, node: Expr) -> frozenset[Symbol]:
-        """The indices that stand free in an expression, bound by no sum in it."""
-        if isinstance(node, (SumOver, VolumeIntegral)):
-            return self._indices(node.args[1]) - {node.args[0]}
-        if isinstance(node, Symbol):
-            return self.letters.indexed.get(node, frozenset())
-        return frozenset().union(*map(self._indices, node.args))
-
-    def _parted(self, node: Expr, term: Expr) -> tuple[Expr, Expr]:
-        """The factors that stay the same for all parts, and those that do not."""
-        factors = Mul.make_args(term)
-        vary = [node.args[0] in self._indices(f) for f in factors]
-        return (
-            Mul(*(f for f, varies in zip(factors, vary, strict=True) if not varies)),
-            Mul(*(f for f, varies in zip(factors, vary, strict=True) if varies)),
-        )
-
     def _exchanged(self, node: Expr, term: Expr) -> Value | None:
         """Σ of a term with another Σ as a factor that is written outside: first here, then there.
 
         None where there is no such factor, or where its index stands elsewhere in the term too.
         """
-        for inner in _factors(term):
-            if not isinstance(inner, (SumOver, VolumeIntegral)) or term.count(inner) != 1:
+        for inner in linear_factors(term):
+            if not isinstance(inner, SUMS) or term.count(inner) != 1:
                 continue
             bound = inner.args[0]
-            mixed = node.args[0] in self._indices(inner) and _outside(inner) < _outside(node)
-            if mixed and bound not in self._indices(term.xreplace({inner: Integer(1)})):
+            mixed = varies(inner, node, self.letters) and order_of(inner) < order_of(node)
+            if mixed and bound not in indices(term.xreplace({inner: Integer(1)}), self.letters):
                 body = self.value(term.xreplace({inner: inner.args[1]}))
                 return self.summed(inner, self.summed(node, body))
         return None
 
     def _summed_term(self, node: Expr, term: Expr, atom: Expr) -> Vector:
-        outside, inside = self._parted(node, term)
+        outside, inside = parted(node, term, self.letters)
         turned = self._exchanged(node, Mul(inside, atom, evaluate=False))
         if turned is not None:
             return _as_vector(self.times(outside, turned))
 
-        def varies(part: Expr) -> bool:
-            return node.args[0] in self._indices(part)
+        def changes(part: Expr) -> bool:
+            return varies(part, node, self.letters)
 
-        if not varies(atom):
+        if not changes(atom):
             return Vector({atom: outside * self._summed_scalar(node, inside)})
-        if isinstance(atom, Cross) and not all(map(varies, atom.args)):
+        if isinstance(atom, Cross) and not all(map(changes, atom.args)):
             a, b = atom.args
-            if varies(a):
+            if changes(a):
                 return self.cross(self._summed_term(node, inside, a), self._one(b)).times(outside)
             return self.cross(self._one(a), self._summed_term(node, inside, b)).times(outside)
         made = self.atom(node.func(node.args[0], Mul(inside, atom)))
@@ -354,41 +345,28 @@ class Algebra(Operators):
         return Vector({atom: Integer(1)})
 
     def _summed_scalar(self, node: Expr, term: Expr) -> Expr:
-        outside, inside = self._parted(node, term)
+        outside, inside = parted(node, term, self.letters)
         turned = self._exchanged(node, inside)
         if turned is not None:
             return outside * turned
-        dots = self._linear(node, inside)
+        dots = linear(node, inside, self.letters)
         if len(dots) == 1:  # of several none is the one that comes out
             [product] = dots
             a, b = product.args
-            varying, fixed = (a, b) if node.args[0] in self._indices(a) else (b, a)
+            varying, fixed = (a, b) if varies(a, node, self.letters) else (b, a)
             rest = Mul(*(f for f in Mul.make_args(inside) if f is not product))
             return outside * self.dot(self._summed_term(node, rest, varying), self._one(fixed))
         return outside * self.atom(node.func(node.args[0], inside))
 
-    def _linear(self, node: Expr, term: Expr) -> list[Expr]:
-        """Scalar products of what changes from part to part with what does not."""
-
-        def varies(part: Expr) -> bool:
-            return node.args[0] in self._indices(part)
-
-        return [
-            f
-            for f in Mul.make_args(term)
-            if isinstance(f, Dot)
-            and varies(f.args[0]) != varies(f.args[1])
-            and not isinstance(f.args[0], Cross)
-        ]
-
     def _bilinear(self, vector: Expr, other: Expr) -> bool:
         """Whether Σ m(r·u)r stands before ·v: the sum of m(r·u)(r·v), alike in u and v."""
-        varies = vector.args[0] in self._indices(other)
-        return not varies and bool(self._linear(vector, vector.args[1]))
+        if varies(other, vector, self.letters):
+            return False
+        return bool(linear(vector, vector.args[1], self.letters))
 
     def _dotted(self, term: Expr, other: Expr) -> Expr:
         """A scalar times an atom, · another atom."""
-        [atom] = [f for f in Mul.make_args(term) if self._is_vector(f)]
+        [atom] = [f for f in Mul.make_args(term) if is_vector(f, self.letters)]
         scalar = Mul(*(f for f in Mul.make_args(term) if f is not atom))
         return scalar * self._dot_atoms(atom, other)
 
@@ -443,7 +421,7 @@ class Algebra(Operators):
         if isinstance(node, Dot):
             a, b = (self._node_vector(part) for part in node.args)
             return self.dot(self.rate(a), b) + self.dot(a, self.rate(b))
-        if isinstance(node, (SumOver, VolumeIntegral)):
+        if isinstance(node, SUMS):
             return self.summed(node, self._scalar_rate(node.args[1]))
         if isinstance(node, ELLIPTIC):  # the chain rule
             rates = map(self._scalar_rate, node.args)
@@ -475,19 +453,14 @@ class Algebra(Operators):
             first = self.cross(self._atom_rate(a, frame), self._one(b))
             second = self.cross(self._one(a), self._atom_rate(b, frame))
             return _as_vector(self.total([first, second]))
-        if isinstance(atom, (SumOver, VolumeIntegral)):
+        if isinstance(atom, SUMS):
             factors = Mul.make_args(atom.args[1])
-            [inner] = [f for f in factors if self._is_vector(f)]
+            [inner] = [f for f in factors if is_vector(f, self.letters)]
             scalar = Mul(*(f for f in factors if f is not inner))
             return _as_vector(self.summed(atom, self.rate(Vector({inner: scalar}), frame)))
         if seen is None:
             return _as_vector(self.atom(self.letters.rates.get(atom, Rate(atom))))
         return _as_vector(self.atom(Rate(atom, seen)))
-
-    def _is_vector(self, node: Expr) -> bool:
-        if isinstance(node, (SumOver, VolumeIntegral)):
-            return any(map(self._is_vector, Mul.make_args(node.args[1])))
-        return node in self.letters.vectors or isinstance(node, (Cross, Applied, Rate))
 
 
 def _as_vector(made: Value) -> Vector:
@@ -495,16 +468,3 @@ def _as_vector(made: Value) -> Vector:
     if isinstance(made, Vector):
         return made
     return ZERO if made == 0 else Vector({made: Integer(1)})
-
-
-def _factors(term: Expr) -> Iterator[Expr]:
-    """What a term is linear in: its factors, also those of its vector and scalar products."""
-    yield term
-    if isinstance(term, (Mul, Cross, Dot)):
-        for part in term.args:
-            yield from _factors(part)
-
-
-def _outside(node: Expr) -> tuple[bool, str]:
-    """The order in which sums are written: Σ outside ∫, k outside l."""
-    return isinstance(node, VolumeIntegral), str(node.args[0])

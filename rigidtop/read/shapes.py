@@ -2,14 +2,13 @@ r"""What parts of formulas are, by their shape: brackets, derivatives, dressed l
 
 >>> from rigidtop.read.tex import pieces
 >>> from rigidtop.read.tokens import tokens
->>> found = head_of(tokens(pieces(r"\frac{\partial L}{\partial x}")))
->>> found.sign, [each.text for each in found.of]
+>>> head = head_of(tokens(pieces(r"\frac{\partial L}{\partial x}")))
+>>> head.sign, [each.text for each in head.of]
 ('∂', ['L'])
 """
 
 from __future__ import annotations
 
-import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
@@ -230,12 +229,3 @@ def is_place(node: Node) -> bool:
     dressed = isinstance(node, Primed) or (isinstance(node, Rate) and node.dotted)
     core = parts(node)[0] if dressed else node
     return isinstance(core, (Letter, Omitted)) or node == Number("0")
-
-
-def styled(character: str, style: str) -> str:
-    size = "CAPITAL" if character.isupper() else "SMALL"
-    name = f"{style} {size} {character.upper()}"
-    try:
-        return unicodedata.lookup(name)
-    except KeyError:
-        return unicodedata.lookup(f"MATHEMATICAL {name}")

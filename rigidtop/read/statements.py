@@ -14,11 +14,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Final
 
-from rigidtop.read.grammar import BOLD, Grammar, Reading
+from rigidtop.read.dress import BOLD
+from rigidtop.read.factors import FACTORS, word
+from rigidtop.read.grammar import Grammar, Reading
 from rigidtop.read.macros import PACKAGES, Macros, expanded
 from rigidtop.read.shapes import parted
 from rigidtop.read.tex import UnreadError, listed, pieces
-from rigidtop.read.tokens import CASES, DERIVATIVES, Token, tokens
+from rigidtop.read.tokens import Token, tokens
+from rigidtop.read.vocabulary import CASES, DERIVATIVES
 from rigidtop.tree.nodes import (
     Group,
     Letter,
@@ -188,7 +191,7 @@ class _Text(Grammar):
     """Reads statements one after the other."""
 
     def __init__(self, items: Sequence[Token], reading: Reading, depth: int = 0) -> None:
-        super().__init__(items, reading, depth)
+        super().__init__(items, FACTORS, reading, depth)
         self.found: list[Statement | Unread] = []
         self.tag = ""
         self.condition = False  # what follows is the condition of the statement before
@@ -306,7 +309,7 @@ class _Text(Grammar):
         self.finish(draft)
 
     def side(self) -> Node:
-        return self.word([]) if self.peek().kind == "words" else self.expression()
+        return word(self, []) if self.peek().kind == "words" else self.expression()
 
     def finish(self, draft: _Draft) -> None:
         ends = ("end", "open", "environment", *_BOUNDS, "relation")

@@ -12,19 +12,33 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from rigidtop.notation.characters import GREEK
 from rigidtop.read.tex import (
     DEEPEST,
     Piece,
     UnreadError,
     commands,
     flat,
-    listed,
     pieces,
     plain,
     said,
 )
 from rigidtop.read.unit_names import spelled
+from rigidtop.read.vocabulary import (
+    CASES,
+    DERIVATIVES,
+    FUNCTIONS,
+    LINES,
+    MATRICES,
+    MEANINGS,
+    SEQUENCES,
+    SILENT,
+    SKIPPED,
+    SPACES,
+    SWITCHES,
+    TEXTS,
+    TEXTS_BETWEEN,
+    UPRIGHT,
+)
 
 MOST = 4_000
 """A formula has no more tokens."""
@@ -49,174 +63,10 @@ class Token:
     spaced: bool = False
 
 
-def _table(kind: str, meanings: dict[str, str]) -> dict[str, tuple[str, str]]:
-    return {
-        written: (kind, text)
-        for names, text in meanings.items()
-        for written in (commands(names) if names[0].isalpha() else names.split())
-    }
-
-
-_GREEK = {"\\" + name: letter for name, letter in GREEK.items()} | {
-    **{r"\var" + name: letter for name, letter in GREEK.items() if name[0].isupper()},
-    r"\varphi": "ϕ",
-    r"\vartheta": "ϑ",
-    r"\varepsilon": "ε",
-    r"\varrho": "ρ",
-    r"\ell": "ℓ",
-    r"\hbar": "ħ",
-    r"\imath": "i",
-    r"\jmath": "j",
-    r"\infty": "∞",
-    r"\varpi": "ϖ",
-    r"\varsigma": "ς",
-    r"\varkappa": "κ",
-    r"\aleph": "ℵ",
-    r"\top": "⊤",
-    r"\intercal": "⊤",
-    r"\circ": "∘",
-    r"\star": "⋆",
-    r"\ast": "*",
-    r"\dagger": "†",
-    r"\Re": "Re",
-    r"\Im": "Im",
-    r"\odot": "⊙",
-    r"\oplus": "⊕",
-    r"\degree": "°",
-}
-_MEANINGS: Final = {
-    **{written: ("letter", letter) for written, letter in _GREEK.items()},
-    **_table(
-        "relation",
-        {
-            "le leq leqslant leqq": "≤",
-            "ge geq geqslant geqq": "≥",
-            "lt": "<",
-            "gt": ">",
-            "= < >": "",
-            "ne neq": "≠",
-            "approx simeq cong approxeq": "≈",
-            "equiv triangleq coloneqq doteq eqqcolon coloneq": "≡",
-            "sim": "∼",
-            "propto": "∝",
-            "ll": "≪",
-            "gg": "≫",
-            "lesssim": "≲",
-            "gtrsim": "≳",
-            "to rightarrow longrightarrow": "→",
-            "in": "∈",
-            "parallel": "∥",
-            "perp bot": "⊥",
-        },
-    ),
-    **_table(
-        "arrow",
-        {
-            "Rightarrow Longrightarrow implies leadsto Leftrightarrow iff Longleftrightarrow": "⇒",
-            "therefore because leftrightarrow longleftrightarrow Leftarrow mapsto": "⇒",
-        },
-    ),
-    **_table(
-        "sign",
-        {
-            "+ - / * _ ^ ! ?": "",
-            "pm": "±",
-            "mp": "∓",
-            "cdot bullet": "·",
-            "times wedge": "×",
-            "div": "/",
-            "partial": "∂",
-            "nabla": "∇",
-            "int iint iiint": "∫",
-            "oint": "∮",
-            "sum": "Σ",
-            "prod": "Π",
-        },
-    ),
-    **_table("open", {"( [": "", "lbrack": "[", "lbrace": "{", r"\{": "{"}),
-    **_table("open", {"langle": "⟨", "lvert lVert": "|"}),
-    **_table("close", {")": "(", "] \\rbrack": "[", r"\} \rbrace": "{"}),
-    **_table("close", {"rangle": "⟨", "rvert rVert": "|"}),
-    **_table("bar", {r"| \|": "|", "vert Vert mid": "|"}),
-    **_table("dots", {"cdots ldots dots dotsb dotsc dotsm vdots ddots": "…", "…": "…", "⋯": "…"}),
-    **_table("prime", {"'": "′", "prime": "′"}),
-    **_table("comma", {", ; :": "", "colon": ":"}),
-    **_table("quad", {"quad qquad enspace hfill": "quad"}),
-    **_table("align", {"&": "&"}),
-    **_table("stop", {".": "."}),
-}
-_SEQUENCES: Final = {
-    ":=": ("relation", "≡"),
-    "=:": ("relation", "≡"),
-    "<=>": ("arrow", "⇒"),
-    "=>": ("arrow", "⇒"),
-    "==>": ("arrow", "⇒"),
-    "->": ("relation", "→"),
-    "<=": ("relation", "≤"),
-    ">=": ("relation", "≥"),
-    "!=": ("relation", "≠"),
-    "<<": ("relation", "≪"),
-    ">>": ("relation", "≫"),
-    "...": ("dots", "…"),
-    "==": ("relation", "="),
-    "**": ("sign", "^"),
-}
-"""What is written with several characters."""
-
-_SPACES = frozenset({r"\,", r"\;", r"\:", "\\ ", "\\\n", "~"}) | commands("thinspace space")
-_SILENT: Final = (
-    commands("displaystyle textstyle scriptstyle limits nolimits nonumber notag middle allowbreak")
-    | commands("boxed fbox mathop mathord mathrel mathbin ensuremath displaylimits strut mathstrut")
-    | commands("null relax qedhere smash mathclap protect hfil centering nobreak noindent cancel")
-    | commands("bcancel xcancel underbracket hline toprule midrule bottomrule pqty bqty")
-    | {f"\\{size}{side}" for size in ("big", "Big", "bigg", "Bigg") for side in ("", *"lrm")}
-    | {r"\!", r"\/", r"\-", "$", r"\)", r"\(", r"\[", r"\]", "​", r"\$"}
-)
-"""What says nothing."""
-_SKIPPED: Final = commands(
-    "label vspace phantom hphantom vphantom color textcolor mspace hskip colorbox cite"
-) | commands("ref eqref cline hspace cancelto")
-"""Commands that are left out with what they take."""
-_TEXTS: Final = commands("text textrm textit textbf mbox hbox textnormal textsf texttt intertext")
-_TEXTS_BETWEEN: Final = commands("intertext shortintertext")
-_UPRIGHT: Final = commands("mathrm operatorname operatorname* mathsf mathtt")
-_SWITCHES: Final = {
-    r"\bf": r"\mathbf",
-    r"\bfseries": r"\mathbf",
-    r"\boldmath": r"\mathbf",
-    r"\rm": r"\mathrm",
-    r"\it": r"\mathit",
-    r"\cal": r"\mathcal",
-}
-FUNCTIONS: Final = listed(
-    "sin cos tan cot sec csc arcsin arccos arctan sinh cosh tanh coth exp ln log det tr sgn "
-    "arctanh artanh arsinh arcosh arcsinh arccosh sn cn dn max min Re Im"
-)
-"""Functions that have a name."""
-CONSTANT: Final = listed("const constant konst konstant costante constante 常数 常量")
-LINES: Final = listed(
-    "aligned align split gather gathered eqnarray equation alignat alignedat multline flalign "
-    "subequations multlined dmath displaymath math IEEEeqnarray Aligned rcases empheq"
-)
-"""Environments of which each row is read by itself."""
-_PLACED: Final = ("t", "b", "c")
-"""Options that say where an environment stands."""
-CASES: Final = listed("cases dcases numcases")
-MATRICES: Final = {
-    "matrix": "",
-    "pmatrix": "(",
-    "bmatrix": "[",
-    "Bmatrix": "{",
-    "vmatrix": "|",
-    "smallmatrix": "",
-    "psmallmatrix": "(",
-    "bsmallmatrix": "[",
-    "array": "",
-}
-DERIVATIVES: Final = {r"\dv": "d", r"\pdv": r"\partial"}
-"""Commands of the package physics, with the sign that they write."""
 _ACCENTED: Final = {"\u20d7": r"\vec", "\u0304": r"\bar", "\u0303": r"\tilde"}
 """Accents that plain text has behind their letters."""
+_PLACED: Final = ("t", "b", "c")
+"""Options that say where an environment stands."""
 _LENGTH = re.compile(r"-?[\d.]+(?:pt|em|ex|mm|cm|in|baselineskip)")
 
 
@@ -241,16 +91,16 @@ class _Scan:
 
     def __init__(self, items: Sequence[Piece], depth: int) -> None:
         self.items, self.at, self.depth = items, 0, depth
-        self.found: list[Token] = []
+        self.tokens: list[Token] = []
         self.spaced = False
         self.lefts: list[int] = []
 
     def all(self) -> list[Token]:
         while self.at < len(self.items):
-            if len(self.found) > MOST:
+            if len(self.tokens) > MOST:
                 raise UnreadError(f"more than {MOST} symbols and signs", self.place())
             self.next()
-        return [token for token in self.found if token.kind != "nothing"]
+        return [token for token in self.tokens if token.kind != "nothing"]
 
     def inner(self, items: Sequence[Piece]) -> tuple[Token, ...]:
         """The tokens of what stands within."""
@@ -268,7 +118,7 @@ class _Scan:
         return self.items[self.at - 1]
 
     def put(self, kind: str, text: str, position: int, group: Iterable[Token] = ()) -> None:
-        self.found.append(Token(kind, text, position, tuple(group), self.spaced))
+        self.tokens.append(Token(kind, text, position, tuple(group), self.spaced))
         self.spaced = False
 
     def next(self) -> None:
@@ -279,17 +129,17 @@ class _Scan:
             self.put(*sequence, piece.position)
         elif text in _HANDLERS:
             _HANDLERS[text](self, piece)
-        elif text in _SPACES:
+        elif text in SPACES:
             self.space(piece)
-        elif text in _ACCENTED and self.found:
+        elif text in _ACCENTED and self.tokens:
             accent = Token("command", _ACCENTED[text], piece.position)
-            self.found[-1:] = [accent, replace(self.found[-1], spaced=False)]
-        elif text in _SILENT:
+            self.tokens[-1:] = [accent, replace(self.tokens[-1], spaced=False)]
+        elif text in SILENT:
             pass
-        elif text in _SKIPPED:
+        elif text in SKIPPED:
             self.argument()
-        elif text in _MEANINGS:
-            kind, meaning = _MEANINGS[text]
+        elif text in MEANINGS:
+            kind, meaning = MEANINGS[text]
             self.put(kind, meaning or text, piece.position)
         elif text.isdecimal():
             self.number(piece)
@@ -298,8 +148,9 @@ class _Scan:
         elif text == "{}":
             self.put("group", "", piece.position, self.inner(piece.group))
         elif text[0] == "\\":
-            known = text[1:] in FUNCTIONS
-            self.put("upright" if known else "command", text[1:] if known else text, piece.position)
+            name = text[1:]
+            kind, text = ("upright", name) if name in FUNCTIONS else ("command", text)
+            self.put(kind, text, piece.position)
         else:
             self.put("letter", text, piece.position)
 
@@ -307,7 +158,7 @@ class _Scan:
         """A space, which several in a row make a wide one."""
         self.spaced = True
         wide = 0
-        while self.text() in _SPACES:
+        while self.text() in SPACES:
             self.at += 1
             wide += 1
         if wide > 1:
@@ -315,7 +166,7 @@ class _Scan:
 
     def is_taken(self) -> bool:
         """Whether what comes next belongs to a command or an index."""
-        last = self.found[-1] if self.found else None
+        last = self.tokens[-1] if self.tokens else None
         return last is not None and (last.kind == "command" or last.text in ("_", "^"))
 
     def sequence(self, piece: Piece) -> tuple[str, str] | None:
@@ -324,14 +175,14 @@ class _Scan:
             ahead = self.items[self.at : self.at + length - 1]
             written = piece.text + "".join(each.text for each in ahead)
             close = all(each.position - piece.position < length for each in ahead)
-            if written in _SEQUENCES and (close or written in (":=", "=:")):
+            if written in SEQUENCES and (close or written in (":=", "=:")):
                 self.at += length - 1
-                return _SEQUENCES[written]
+                return SEQUENCES[written]
         return None
 
     def argument(self) -> tuple[Piece, ...]:
         """What a command takes: a group's pieces, or one piece."""
-        while self.text() == "*" or self.text() in _SPACES:
+        while self.text() == "*" or self.text() in SPACES:
             self.at += 1
         if self.text() == "[" and "]" in [each.text for each in self.items[self.at : self.at + 40]]:
             while self.take().text != "]":
@@ -369,7 +220,7 @@ class _Scan:
         """Whether a comma stands for the point of a number: x = 0,5, but not (0,5) or x = 0,1,2."""
         ahead = [each.text for each in self.items[self.at : self.at + 12]]
         behind = "".join(ahead[1:]).lstrip("0123456789")
-        related = bool(self.found) and self.found[-1].kind == "relation"
+        related = bool(self.tokens) and self.tokens[-1].kind == "relation"
         listed = behind.startswith(",") and behind[1:2].isdecimal()
         return (
             text == "0"
@@ -385,13 +236,13 @@ class _Scan:
         r"""The bracket behind ``\left`` or ``\right``, by how it opens."""
         written = self.take().text if self.at < len(self.items) else ""
         written = {"<": r"\langle", ">": r"\rangle"}.get(written, written)
-        kind, text = _MEANINGS.get(written, ("", ""))
+        kind, text = MEANINGS.get(written, ("", ""))
         if kind not in ("open", "close", "bar", "stop"):
             raise UnreadError(f"{piece.text} without a bracket", piece.position)
         return text or written
 
     def left(self, piece: Piece) -> None:
-        self.lefts.append(len(self.found))
+        self.lefts.append(len(self.tokens))
         self.put("open", self.delimiter(piece), piece.position)
 
     def right(self, piece: Piece) -> None:
@@ -399,10 +250,10 @@ class _Scan:
         if not self.lefts:
             raise UnreadError(r"a \right without its \left", piece.position)
         at = self.lefts.pop()
-        opens = self.found[at].text
-        dropped = replace(self.found[at], kind="nothing")
+        opens = self.tokens[at].text
+        dropped = replace(self.tokens[at], kind="nothing")
         if (opens == "." and closes != "|") or (closes == "." and opens not in ("(", "[")):
-            self.found[at] = dropped
+            self.tokens[at] = dropped
         if closes != "." and not (opens == "." and closes == "{"):
             self.put("close", closes, piece.position)
 
@@ -424,13 +275,13 @@ class _Scan:
         group = self.inner(inside)
         related = any(each.kind in ("relation", "environment") for each in group)
         cased = any(each.text == "cases" for each in group)
-        braced = bool(self.found) and self.found[-1].kind == "open"
+        braced = bool(self.tokens) and self.tokens[-1].kind == "open"
         rows = name == "array" and related and not cased
-        if rows and braced and self.found[-1].text == "{" and self.text() == r"\right":
+        if rows and braced and self.tokens[-1].text == "{" and self.text() == r"\right":
             self.put("environment", "cases", piece.position, group)
         elif name in LINES or rows:
             self.put("break", "", piece.position)
-            self.found += group
+            self.tokens += group
             self.put("break", "", piece.position)
         elif name in CASES or name in MATRICES:
             self.put("environment", "cases" if name in CASES else name, piece.position, group)
@@ -453,7 +304,7 @@ class _Scan:
 
     def words(self, piece: Piece) -> None:
         """Words, with the mathematics in dollars among them."""
-        between = piece.text in _TEXTS_BETWEEN
+        between = piece.text in TEXTS_BETWEEN
         if between:
             self.put("break", "", piece.position)
         parts: list[list[Piece]] = [[]]
@@ -464,7 +315,7 @@ class _Scan:
                 parts[-1].append(each)
         for count, part in enumerate(parts):
             if count % 2:
-                self.found += self.inner(part)
+                self.tokens += self.inner(part)
             elif said(part):
                 self.put("words", said(part), part[0].position)
         if between:
@@ -487,7 +338,7 @@ class _Scan:
         r"""A number with its unit: ``\SI{9.8}{m/s^2}``."""
         digits, _, power = said(self.argument()).replace(" ", "").partition("e")
         number = digits + (rf"\cdot 10^{{{power}}}" if power else "")
-        self.found += [replace(x, position=piece.position) for x in self.inner(pieces(number))]
+        self.tokens += [replace(x, position=piece.position) for x in self.inner(pieces(number))]
         self.measure(piece)
 
     def sized(self, piece: Piece) -> None:
@@ -497,12 +348,12 @@ class _Scan:
 
     def switch(self, piece: Piece) -> None:
         """A font for all that follows in the group."""
-        font = _SWITCHES[piece.text]
+        font = SWITCHES[piece.text]
         if self.text() == "{}":
             rest: Sequence[Piece] = (self.take(),)
         else:
             rest, self.at = self.items[self.at :], len(self.items)
-        self.found += self.inner(
+        self.tokens += self.inner(
             (Piece(font, piece.position), Piece("{}", piece.position, tuple(rest)))
         )
 
@@ -517,7 +368,7 @@ class _Scan:
     def stacked(self, piece: Piece) -> None:
         """What stands above or below a sign is left out."""
         self.argument()
-        self.found += self.inner(self.argument())
+        self.tokens += self.inner(self.argument())
 
     def negated(self, piece: Piece) -> None:
         self.at += self.text() in ("=", r"\equiv")
@@ -548,7 +399,7 @@ class _Scan:
         over = (sign, *raised, *of)
         under = [each for part in by for each in (sign, *part, *raised)]
         groups = (Piece("{}", piece.position, tuple(part)) for part in (over, under))
-        self.found += self.inner((Piece(r"\frac", piece.position), *groups))
+        self.tokens += self.inner((Piece(r"\frac", piece.position), *groups))
 
     def matrix(self, piece: Piece) -> None:
         """A matrix of the package physics."""
@@ -572,12 +423,12 @@ _HANDLERS: Final[dict[str, Callable[[_Scan, Piece], None]]] = {
     r"\newline": _Scan.line,
     r"\cr": _Scan.line,
     r"\not": _Scan.negated,
-    **dict.fromkeys(_TEXTS | _TEXTS_BETWEEN, _Scan.words),
-    **dict.fromkeys(_UPRIGHT, _Scan.upright),
+    **dict.fromkeys(TEXTS | TEXTS_BETWEEN, _Scan.words),
+    **dict.fromkeys(UPRIGHT, _Scan.upright),
     **dict.fromkeys(commands("SI SIrange"), _Scan.quantity),
     **dict.fromkeys(commands("si unit"), _Scan.measure),
     r"\qty": _Scan.sized,
-    **dict.fromkeys(_SWITCHES, _Scan.switch),
+    **dict.fromkeys(SWITCHES, _Scan.switch),
     **dict.fromkeys(commands("tag tag* eqno leqno"), _Scan.tag),
     **dict.fromkeys(commands("stackrel overset underset"), _Scan.stacked),
     **dict.fromkeys(commands("xrightarrow xRightarrow xleftarrow xLeftarrow"), _Scan.arrow),

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any, TypeVar
 
 from rigidtop.proof.equation import Equation
@@ -21,54 +21,6 @@ from rigidtop.typeset.words import printed_unit
 
 T = TypeVar("T")
 Judged = Sequence[tuple[Page, Sequence[Judgement]]]
-
-
-@dataclass(frozen=True)
-class Opening:
-    """What the page of a lecture opens with: a figure of the catalogue, at these parameters.
-
-    The `invitation` is the sentence beneath it, in place of a caption.
-    """
-
-    figure: str
-    invitation: str
-    settings: Mapping[str, float] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Front:
-    """What stands on the first page of a lecture and of its exercises, and whose claims it has."""
-
-    title: str
-    subtitle: str
-    source: str
-    exercises: str
-    author: str = "rigidtop"
-    byline: str = ""
-    questions: str = ""
-    """What a sheet of questions says in place of the `source`, if it does."""
-    opening: Opening | None = None
-
-
-_OF_THE_NOTES = (
-    "The numbered equations and the claims, but for what is called ours, are those of the lecture "
-    "notes of Sebastian Wüster, PHY 305 Classical Mechanics, IISER Bhopal, 2020, week 8."
-)
-NOTES = Front(
-    "Rigid rotation and the spinning top: derived and judged",
-    "Free precession, Euler angles and the heavy symmetric top, equations (3.33) to (3.57)",
-    f"{_OF_THE_NOTES} The wording, the derivations and the verdicts are ours. Every verdict on "
-    "these pages was computed when they were written.",
-    "Rigid rotation and the spinning top: exercises",
-    questions=_OF_THE_NOTES,
-    opening=Opening(
-        "top",
-        "Why does a spinning top go round instead of falling, and why does its axis draw loops on "
-        "the way?",
-        {"phi_dot": -1.5},
-    ),
-)
-"""The lecture notes on the top."""
 
 
 MARKS: Mapping[Verdict, str] = {
@@ -450,40 +402,14 @@ class Document:
 
 def groups(block: Display) -> list[list[Row]]:
     """Rows between which no reason and no tag stands: they are aligned with each other."""
-    made: list[list[Row]] = []
+    aligned: list[list[Row]] = []
     for row in block.rows:
-        last = made[-1][-1] if made else None
+        last = aligned[-1][-1] if aligned else None
         if last is None or last.tag or last.verdict or last.order != row.order or row.reason:
-            made.append([row])
+            aligned.append([row])
         else:
-            made[-1].append(row)
-    return made
-
-
-def main_thread(blocks: Iterable[Block]) -> list[Block]:
-    """The blocks without the boxes.
-
-    >>> told = [Paragraph(("a",)), Box("More"), Paragraph(("b",)), BoxEnd(), Paragraph(("c",))]
-    >>> [block.content for block in main_thread(told)]
-    [('a',), ('c',)]
-    """
-    return list(_outside(blocks, lambda _: True))
-
-
-def for_students(blocks: Iterable[Block]) -> list[Block]:
-    """The blocks without the boxes that are for lecturers."""
-    return list(_outside(blocks, lambda box: box.for_lecturers))
-
-
-def _outside(blocks: Iterable[Block], left_out: Callable[[Box], bool]) -> Iterator[Block]:
-    """The blocks but for the boxes that are left out, with all in them."""
-    inside: list[bool] = []  # of each box that is open, whether it is left out
-    for block in blocks:
-        inside += [left_out(block)] if isinstance(block, Box) else []
-        if not any(inside):
-            yield block
-        if isinstance(block, BoxEnd):
-            inside.pop()
+            aligned[-1].append(row)
+    return aligned
 
 
 def quantities(title: str, rows: Iterable[tuple[str, Piece, str]]) -> Table:
@@ -523,41 +449,6 @@ def is_number(name: str) -> bool:
     """Whether a claim is named by its equation's number."""
     return bool(re.fullmatch(r"\d+\.\d+[a-z]?", name))
 
-
-def projected(blocks: Iterable[Block], solutions: bool = False) -> list[Block]:
-    """What stands on slides: the main thread, without what nobody projects behind it.
-
-    Exercises are there with their `solutions`, or not at all.  What would lead to what is left out
-    has its words alone.
-    """
-    left_out = NOT_PROJECTED - {"solutions"} if solutions else NOT_PROJECTED
-    made: list[Block] = []
-    shown = True
-    for block in main_thread(block for block in blocks if not isinstance(block, Legend)):
-        if isinstance(block, Heading) and block.level == 1:
-            shown = block.anchor not in left_out
-        elif isinstance(block, Heading):
-            shown = True
-        elif isinstance(block, ExerciseHead) and not solutions:
-            if made and isinstance(made[-1], Subhead):  # Exercises
-                made.pop()
-            shown = False
-        made += [block] * shown
-    there: set[str] = set()
-
-    def noted(part: Any, _: str) -> Any:
-        there.add("" if isinstance(part, Cited) else getattr(part, "anchor", ""))
-        return part
-
-    def leading(part: Any, _: str) -> Any:
-        return part.words if isinstance(part, Cited) and part.anchor not in there else part
-
-    walked(tuple(made), noted)
-    return [walked(block, leading) for block in made]
-
-
-NOT_PROJECTED = frozenset({"solutions", "laws", "letters", "map", "results"})
-"""The anchors of sections that stand on no slide."""
 
 IN_COLUMNS = ("solutions", "laws")
 """The anchors of headings from which on pages have two columns."""

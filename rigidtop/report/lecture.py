@@ -16,12 +16,14 @@ from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.verdict import Judgement
 from rigidtop.report import blocks as b
 from rigidtop.report import handout, html, marks, myst, notations, plain, tex, typst
+from rigidtop.report.front import NOTES, Front
 from rigidtop.report.handout import Parts, order_of_figures, spoken_of
 from rigidtop.report.map import contracted
 from rigidtop.report.map import label as map_label
 from rigidtop.report.map import picture as map_picture
 from rigidtop.report.pdf import LatexError, make_pdf
 from rigidtop.report.record import NO_LINES, document
+from rigidtop.report.selection import for_students, projected
 from rigidtop.report.solutions import Solution, blocks
 from rigidtop.report.symbols import symbol_list, symbols_used
 from rigidtop.report.ways import claim_told
@@ -149,7 +151,7 @@ class Edition:
     """
 
     student: bool = False
-    front: b.Front = b.NOTES
+    front: Front = NOTES
     figures: Sequence[Drawing] = FIGURES
     notation: Notation | None = None
     lines: Lecture = NO_LINES
@@ -265,7 +267,7 @@ def lecture(
     if not student and solutions:
         blocks += handout.solutions(solutions, parts, told)
     blocks += laws
-    blocks = b.for_students(blocks) if student else blocks
+    blocks = for_students(blocks) if student else blocks
     blocks = handout.linked(handout.parted([*blocks, *symbol_list(blocks, LETTERS)]))
     front = edition.front
     whole = edition.handed_out(front.title, front.subtitle, blocks)
@@ -422,7 +424,7 @@ def _write(
         f"{stem}.html": html.write(whole, pages, player=player).encode(),
     }
     if wanted.slides:
-        shown = replace(whole, blocks=tuple(b.projected(whole.blocks, wanted.solutions)))
+        shown = replace(whole, blocks=tuple(projected(whole.blocks, wanted.solutions)))
         slides = html.write(shown, pages, slides=True, player=player)
         contents["slides.html"] = slides.encode()
     if wanted.fragment:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
-from rigidtop.notation import NOTES, Notation
+from rigidtop.notation import NOTES as NOTES_NOTATION
+from rigidtop.notation import Notation
 from rigidtop.proof.lecture import Lecture
 from rigidtop.proof.verdict import (
     Judgement,
     Verdict,
 )
 from rigidtop.report import blocks as b
+from rigidtop.report.front import NOTES, Front
 from rigidtop.report.handout import Parts, answer, parted, question, section
 from rigidtop.report.marks import LEGEND, marked
 from rigidtop.report.solutions import Solution, confirmed
@@ -31,8 +33,8 @@ def document(
     judged: b.Judged,
     solutions: Sequence[Solution] = (),
     lines: Lecture = NO_LINES,
-    front: b.Front = b.NOTES,
-    notation: Notation = NOTES,
+    front: Front = NOTES,
+    notation: Notation = NOTES_NOTATION,
 ) -> b.Document:
     """The lecture without figures, and with each claim all that was found, in place of its mark.
 

@@ -15,19 +15,9 @@ from typing import Protocol
 
 from sympy import Expr
 
-from rigidtop.codegen.graph import (
-    MINUS,
-    ONE,
-    ZERO,
-    Direction,
-    Graph,
-    Leaf,
-    Power,
-    Product,
-    Sum,
-    Value,
-)
-from rigidtop.codegen.graph import parts as parts_of
+from rigidtop.codegen.graph import Direction, Graph
+from rigidtop.codegen.nodes import MINUS, ONE, ZERO, Leaf, Power, Product, Sum, Value
+from rigidtop.codegen.nodes import parts as parts_of
 from rigidtop.codegen.solve import solutions
 from rigidtop.system.names import Names
 from rigidtop.system.parts import Body, Part

@@ -10,7 +10,7 @@ from sympy import Expr, Integer, Matrix
 
 from rigidtop.errors import RigidtopError
 from rigidtop.system.derived import Derived
-from rigidtop.system.forms import parts_of, readable, short
+from rigidtop.system.forms import over, parts_of, readable, short
 from rigidtop.system.names import expression
 from rigidtop.theory import lagrangian as mechanics
 
@@ -28,9 +28,9 @@ class Canonical(Derived):
             self.program  # noqa: B018 - raises where the mass matrix is singular
             if not self._balance[0].has(*names.v):
                 moved = [p - x.subs(still) for p, x in zip(names.p, self.conjugate, strict=True)]
-                found = self._over_mass(moved)
-                if found:
-                    return dict(zip(names.v, found, strict=True))
+                velocities = over(self._balance[0], moved)
+                if velocities:
+                    return dict(zip(names.v, velocities, strict=True))
             return mechanics.inverse_momenta(self.plain, names.v, names.p)
         except ValueError as error:
             raise RigidtopError(str(error)) from None

@@ -2,30 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any
 
 import sympy
-from sympy import Dummy, Expr, Integer, Matrix, Rational, Symbol
-from sympy.core.function import AppliedUndef
+from sympy import Expr, Integer, Matrix, Rational, Symbol
 
-from rigidtop.codegen.graph import Graph, points, somewhere
+from rigidtop.codegen.graph import somewhere
 from rigidtop.codegen.lines import StraightLine, straight_line
+from rigidtop.codegen.points import points
 from rigidtop.codegen.solve import SingularError, solved
 from rigidtop.errors import RigidtopError
 from rigidtop.proof import decide
 from rigidtop.system.balance import Balance, Balanced
-from rigidtop.system.forms import LARGEST, expanded, grouped, parts_of, readable, short
+from rigidtop.system.declaration import (
+    acting,
+    check_letters,
+    check_rules,
+    check_signs,
+    check_terms,
+    is_even,
+    with_time,
+)
+from rigidtop.system.forms import LARGEST, expanded, grouped, over, readable, short
 from rigidtop.system.names import (
     Given,
     Names,
     expression,
     multipliers,
     named,
-    own_functions,
 )
 from rigidtop.system.parts import Part, kinetic_energy
 
@@ -34,9 +42,6 @@ SMALL = 600
 
 NORMAL = (grouped, lambda value, _: short(value))
 """Forms of the entries of M and f."""
-
-CRAMER = 3
-"""Rows of a part of the mass matrix up to which determinants are written out."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -74,32 +79,18 @@ class Derived:
             constraints = (constraints,)
         rules = tuple(expression("a constraint", each) for each in constraints)
         coordinates = (q,) if isinstance(q, Expr) else q
-        acting = _forces(forces, coordinates)
+        pushing = acting(forces, coordinates)
         inside = [x for part in parts for x in part.expressions]
-        letters = set().union(*(x.free_symbols for x in (L, rayleigh, *rules, *acting, *inside)))
+        letters = set().union(*(x.free_symbols for x in (L, rayleigh, *rules, *pushing, *inside)))
         names = named(coordinates, (qdot,) if isinstance(qdot, Expr) else qdot, letters)
-        plain = all(x.is_Symbol for x in coordinates)
-        pushed = rayleigh != 0 or any(Q != 0 for Q in acting)
-        for v in names.v:
-            signed = v.is_positive or v.is_negative
-            if signed and (pushed or not all(_even(each, v) for each in (L, *rules))):
-                raise RigidtopError(
-                    f"{v} is declared to have one sign, and |{v}| is {v} then: "
-                    "a velocity has both, declare it real"
-                )
-        times = {x for x in letters if x.name == names.t.name} - {*names.q, *names.v}
-        if len(times | ({names.t} if not plain else set())) > 1:
-            raise RigidtopError(
-                f"two symbols named {names.t}: there is only one time"
-                + ("" if plain else f", that of {coordinates[0]}")
-            )
-        if times:
-            names = replace(names, t=times.pop())
+        pushed = rayleigh != 0 or any(Q != 0 for Q in pushing)
+        check_signs(names.v, None if pushed else (L, *rules))
+        names = with_time(names, letters, coordinates)
         for name, value in (
             ("rest", L),
             ("q", tuple(names.back(x) for x in names.q)),
             ("qdot", tuple(names.back(x) for x in names.v)),
-            ("forces", acting or (Integer(0),) * len(names.q)),
+            ("forces", pushing or (Integer(0),) * len(names.q)),
             ("constraints", rules),
             ("rayleigh", rayleigh),
             ("names", names),
@@ -116,32 +107,14 @@ class Derived:
     """V, where it is known apart."""
 
     def _check(self) -> None:
-        n, names = len(self.q), self.names
+        n = len(self.q)
         if len(self.forces) != n:
             raise RigidtopError(f"{len(self.forces)} forces for {n} coordinates: give one for each")
         inside = tuple(x for part in self.parts for x in part.expressions)
         given = {"L": (self.rest, *inside), "rayleigh": (self.rayleigh,), "a force": self.forces}
-        for what, group in {**given, "a constraint": self.constraints}.items():
-            for each in map(names.plain, group):
-                if each.has(*names.a):
-                    raise RigidtopError(
-                        f"{what} has an acceleration: coordinates, velocities and "
-                        "the time may stand there"
-                    )
-                for x in own_functions([each]):
-                    if x.has(*(y.func for y in self.q if isinstance(y, AppliedUndef))):
-                        raise RigidtopError(f"{what} has {x}, which is none of the velocities")
-        known: dict[str, Symbol] = {}
-        for x in self._letters:
-            if not x.name.strip():
-                raise RigidtopError("there is a symbol without a name")
-            if known.setdefault(x.name, x) != x:
-                raise RigidtopError(f"two different symbols are called {x.name}")
-        for each, rule in zip(self.rules, self.constraints, strict=True):
-            if not each.has(*names.q, *names.v):
-                raise RigidtopError(f"the constraint {rule} = 0 has no coordinate and no velocity")
-            if any(each.diff(v).has(*names.v) for v in names.v):
-                raise RigidtopError(f"the constraint {rule} = 0 is not linear in the velocities")
+        check_terms({**given, "a constraint": self.constraints}, self.q, self.names)
+        check_letters(self._letters)
+        check_rules(dict(zip(self.constraints, self.rules, strict=True)), self.names)
 
     def __getstate__(self) -> dict[str, Any]:
         """Without what was computed: functions that are made cannot be pickled."""
@@ -234,22 +207,22 @@ class Derived:
         Raises RigidtopError where the mass matrix is singular for every motion.
         """
         try:
-            made = [straight_line(*self._on_graph.solved(), self.free())]
+            programs = [straight_line(*self._on_graph.solved(), self.free())]
             if len(self._on_graph.graph.nodes) < SMALL:
-                made += map(self._by_normal_form, NORMAL)
+                programs += map(self._by_normal_form, NORMAL)
         except SingularError:
             raise RigidtopError(self._why_singular(self._balance[0])) from None
-        return min(made, key=lambda each: each.operations) if made[1:] else made[0]
+        return min(programs, key=lambda each: each.operations) if programs[1:] else programs[0]
 
     @cached_property
     def _on_graph(self) -> Balanced:
         """M and f on a graph, of which no expression is ever written down."""
 
-        def made(graph: Graph) -> Balanced:
-            return Balance(self, graph).of_parts()
-
         names = self.names
-        return somewhere((names.t, *names.q, *names.v, *self.given), made)
+        return somewhere(
+            (names.t, *names.q, *names.v, *self.given),
+            lambda graph: Balance(self, graph).of_parts(),
+        )
 
     def _by_normal_form(self, form: Callable[[Expr, Sequence[Symbol]], Expr]) -> StraightLine:
         """The program that M and f have in a normal form."""
@@ -312,7 +285,7 @@ class Derived:
         return tuple(
             (k, sign)
             for k, (x, sign) in enumerate(zip(names.q, signs, strict=True))
-            if sign and not all(_even(each, x) for each in whole)
+            if sign and not all(is_even(each, x) for each in whole)
         )
 
     @cached_property
@@ -350,8 +323,9 @@ class Derived:
                 self.conjugate, names.q, self.generalised_forces, self.reactions, strict=True
             )
         ]
-        made = [short(row) if row.count_ops() < LARGEST else row for row in rows]
-        return names.back(Matrix(made))
+        return names.back(
+            Matrix([short(row) if row.count_ops() < LARGEST else row for row in rows])
+        )
 
     @cached_property
     def accelerations(self) -> Matrix:
@@ -359,33 +333,16 @@ class Derived:
 
         Raises RigidtopError where the mass matrix is singular for every motion.
         """
-        made = self.program.written_out()[: len(self.q)]
+        rates = self.program.written_out()[: len(self.q)]
         if not self.constraints:
-            made = self._over_mass(self._balance[1]) or made
-        return self.names.back(Matrix([readable(x) for x in made]))
-
-    def _over_mass(self, right: Sequence[Expr]) -> tuple[Expr, ...]:
-        """M⁻¹ times a column, to be read: by Cramer's rule, part by part.
-
-        Nothing where a part of M that does not fall apart is large.
-        """
-        mass = self._balance[0].applyfunc(short)
-        made = dict.fromkeys(range(mass.rows), Integer(0))
-        for part in parts_of(mass):
-            if len(part) > CRAMER:
-                return ()
-            own = mass.extract(part, part)
-            column = own.adjugate() * Matrix([short(right[k]) for k in part])
-            below = short(own.det(method="berkowitz"))
-            for k, above in zip(part, column, strict=True):
-                made[k] = short(above) / below
-        return tuple(made[k] for k in range(mass.rows))
+            rates = over(*self._balance) or rates
+        return self.names.back(Matrix([readable(x) for x in rates]))
 
     @cached_property
     def constraint_forces(self) -> Matrix:
         """The multipliers along the motion (k×1)."""
-        made = self.program.written_out()[len(self.q) :]
-        return self.names.back(Matrix([readable(-x) for x in made]))
+        unknowns = self.program.written_out()[len(self.q) :]
+        return self.names.back(Matrix([readable(-x) for x in unknowns]))
 
     @cached_property
     def mass_matrix(self) -> Matrix:
@@ -459,11 +416,11 @@ class Derived:
     @cached_property
     def constant(self) -> dict[str, Expr]:
         """What is conserved, plain."""
-        found = {"energy": self.jacobi} if self.is_conservative else {}
+        constant = {"energy": self.jacobi} if self.is_conservative else {}
         for x, p, name in zip(self.q, self.conjugate, self.names.p, strict=True):
             if x in self.cyclic:
-                found[name.name] = p
-        return found
+                constant[name.name] = p
+        return constant
 
     def rate(self, quantity: Expr) -> Expr:
         """d/dt of a quantity (of q, q̇, p and t) along the motion."""
@@ -508,32 +465,9 @@ class Derived:
 
     def _own(self, quantity: Expr) -> Expr:
         """A quantity, plain.  Raises RigidtopError where a letter only looks like the system's."""
-        made = self.names.plain(quantity)
+        plain = self.names.plain(quantity)
         own = {x.name: x for x in (self.names.t, *self.names.p, *self._letters)}
-        for x in made.free_symbols:
+        for x in plain.free_symbols:
             if own.get(x.name, x) != x:
                 raise RigidtopError(f"two different symbols are called {x.name}")
-        return made
-
-
-def _forces(forces: Given, q: Given) -> tuple[Expr, ...]:
-    """In the order of the coordinates; nothing for None."""
-    if forces is None:
-        return ()
-    if isinstance(forces, Mapping):
-        unknown = [x for x in forces if x not in tuple(q)]
-        if unknown:
-            raise RigidtopError(
-                f"a force on {unknown[0]}, which is none of the coordinates "
-                f"{', '.join(map(str, q))}"
-            )
-        forces = [forces.get(x, 0) for x in q]
-    if isinstance(forces, (Expr, int, float)):
-        forces = [forces]
-    return tuple(expression("a force", each) for each in forces)
-
-
-def _even(value: Expr, x: Symbol) -> bool:
-    """Whether −x gives the same as x, but for what stands within a function."""
-    inside = value.replace(lambda e: isinstance(e, sympy.Function) and e.has(x), lambda e: Dummy())
-    return bool(sympy.expand(inside - inside.subs(x, -x)) == 0)
+        return plain

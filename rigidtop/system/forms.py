@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import sympy
-from sympy import Expr, Matrix, Symbol
+from sympy import Expr, Integer, Matrix, Symbol
 
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
@@ -17,6 +17,9 @@ FACTORED = 200
 
 PRINTED = 150
 """Operations in a result up to which it is brought to lowest terms, to be read."""
+
+CRAMER = 3
+"""Rows of a part of the mass matrix up to which determinants are written out."""
 
 
 def short(value: Expr) -> Expr:
@@ -58,11 +61,28 @@ def readable(value: Expr) -> Expr:
 
 def parts_of(matrix: Matrix) -> list[list[int]]:
     """The rows that hang together, in order: a matrix of blocks falls apart."""
-    left, made = list(range(matrix.rows)), []
+    left, parts = list(range(matrix.rows)), []
     while left:
         part = [left.pop(0)]
         for k in part:
             part += [j for j in left if matrix[k, j] != 0]
             left = [j for j in left if j not in part]
-        made.append(sorted(part))
-    return made
+        parts.append(sorted(part))
+    return parts
+
+
+def over(mass: Matrix, right: Sequence[Expr]) -> tuple[Expr, ...]:
+    """M⁻¹ times a column, to be read: by Cramer's rule, part by part.
+
+    Nothing where a part of M that does not fall apart is large.
+    """
+    mass = mass.applyfunc(short)
+    column = dict.fromkeys(range(mass.rows), Integer(0))
+    for part in parts_of(mass):
+        if len(part) > CRAMER:
+            return ()
+        own = mass.extract(part, part)
+        above = own.adjugate() * Matrix([short(right[k]) for k in part])
+        below = short(own.det(method="berkowitz"))
+        column |= {k: short(x) / below for k, x in zip(part, above, strict=True)}
+    return tuple(column.values())

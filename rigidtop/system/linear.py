@@ -10,8 +10,10 @@ import sympy
 from sympy import Expr, Matrix, MatrixBase, Symbol
 from sympy.core.function import AppliedUndef
 
-from rigidtop.codegen.graph import ONE, Direction, Graph, Value, points, somewhere
+from rigidtop.codegen.graph import Direction, Graph, somewhere
 from rigidtop.codegen.lines import straight_line
+from rigidtop.codegen.nodes import ONE, Value
+from rigidtop.codegen.points import points
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
 from rigidtop.proof import decide

@@ -23,8 +23,8 @@ from rigidtop.judge.text import judged
 from rigidtop.mark.numbered import Numbers, copies
 from rigidtop.mark.task import top
 from rigidtop.read import document, tex, walk
-from rigidtop.read.equations import DEEPEST
 from rigidtop.read.equations import equations as read
+from rigidtop.read.sizes import DEEPEST
 from rigidtop.theory.symbols import VOCABULARY
 from rigidtop.typeset.text import text
 

@@ -14,7 +14,7 @@ from rigidtop.proof.equation import value as meaning_of
 from rigidtop.proof.page import Check, Definition, Step
 from rigidtop.read.document import lines, numbered
 from rigidtop.read.equations import equations as read
-from rigidtop.read.equations import kind
+from rigidtop.read.kinds import kind
 from rigidtop.theory import symbols as s
 from rigidtop.typeset.latex import AlignRow, align, latex
 from rigidtop.typeset.sizes import lines as broken

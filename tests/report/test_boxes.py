@@ -9,10 +9,8 @@ from rigidtop.report.blocks import (
     Document,
     Heading,
     Paragraph,
-    for_students,
-    main_thread,
-    projected,
 )
+from rigidtop.report.selection import for_students, main_thread, projected
 
 INNER = (Box("A quarrel", for_lecturers=True), Paragraph(("Inside.",)), BoxEnd())
 BOX = (Box("How $θ$ goes on"), Paragraph(("More.",)), *INNER, Paragraph(("Still.",)), BoxEnd())

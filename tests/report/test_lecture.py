@@ -38,13 +38,13 @@ from rigidtop.report.blocks import (
     Table,
     Unit,
     is_number,
-    projected,
 )
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.handout import CONDITIONS, Parts, summary
 from rigidtop.report.lecture import FORMATS, LETTERS, Edition, fragment, lecture, record, sheet
 from rigidtop.report.map import columns, heights, reduced
 from rigidtop.report.numbers import written
+from rigidtop.report.selection import projected
 from rigidtop.report.symbols import symbols_used
 from rigidtop.report.ways import law_blocks, running
 from rigidtop.report.wording import LETTER, braced

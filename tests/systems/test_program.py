@@ -14,8 +14,10 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import rigidtop as rt
 from rigidtop.codegen import languages
-from rigidtop.codegen.graph import ONE, Direction, Graph, points
+from rigidtop.codegen.graph import Direction, Graph
 from rigidtop.codegen.lines import straight_line
+from rigidtop.codegen.nodes import ONE
+from rigidtop.codegen.points import points
 from rigidtop.codegen.solve import SingularError, solved
 from rigidtop.theory import top
 from rigidtop.theory.rotation import euler_matrix

@@ -1,0 +1,167 @@
+"""What an answer asserts, line by line, in the letters of its task, with what is said around it.
+
+A condition comes before the value that it is for, and words of what is large reach on.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from rigidtop.judge.approximations import INFINITY
+from rigidtop.judge.context import Context
+from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time
+from rigidtop.judge.reading import Read, read_text
+from rigidtop.judge.situation import Situation
+from rigidtop.judge.text import declared_letters, situation
+from rigidtop.mark.arrival import head
+from rigidtop.mark.task import Task
+from rigidtop.read.cues import Cue
+from rigidtop.read.document import problems
+from rigidtop.read.passages import Passage
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.statement import Statement, Unread
+
+
+def asserted(
+    source: str, task: Task, until: float
+) -> Iterator[tuple[int, Statement | Unread, Situation | str]]:
+    """What an answer asserts, in the letters of its task, with the line where it stands.
+
+    With it goes what the words around it say; with what is unread, what stands there.
+    """
+    read, place = read_text(source, until=until, plain=True)
+    read = _conditions_first(read)
+    for problem in problems(source):
+        rest = source[problem.position : problem.position + 60].split("\n", 1)[0]
+        yield place(problem.position)[0], Unread(problem.position, problem.reason), rest
+    names, moments, large = declared_letters(source), instants(read), _behind_large(read)
+    moments = [each or _only_there(k, read) for k, each in enumerate(moments)]
+    moving = frozenset().union(*(context.habits.moving for context in task.contexts))
+    for number, (passage, each) in enumerate(read):
+        line = place(passage.start + each.position)[0]
+        if isinstance(each, Unread):
+            yield line, each, passage.text
+            continue
+        if not each.relations or any(isinstance(x, n.Omitted) for x in each.sides):
+            continue
+        if is_time(each):
+            continue  # a moment: what is said of it has its own place there
+        at = situation(passage, number, moments[number], False, names)
+        if _is_supposed(passage, each):
+            at = replace(at, supposed=True)
+        if large[number]:
+            at = replace(at, large=True, small=False)
+        statement, time = at_one_time(_in_letters_of(each, read, task.contexts), moving)
+        at = replace(at, instant=at.instant if time is None else instant_at(time))
+        yield line, statement, replace(at, closed=True)
+
+
+_SUPPOSE = re.compile(
+    r"\W*(?:(?:we|now|let us|wir) )?(?:suppose|assum|if|let|angenommen|annehm|falls|wenn|seien?)\b",
+    re.I,
+)
+"""Words with which a sentence begins that supposes something."""
+
+
+def _is_supposed(passage: Passage, each: Statement) -> bool:
+    """Whether letters are given a number in the first statement of a sentence that supposes."""
+    sides = (x.of if isinstance(x, n.Rate) and x.dotted else x for x in each.sides[:-1])
+    return (
+        not passage.display
+        and bool(_SUPPOSE.match(passage.before))
+        and isinstance(each.sides[-1], n.Number)
+        and all(isinstance(side, Letter) for side in sides)
+    )
+
+
+def _behind_large(read: Read) -> list[bool]:
+    """Whether each statement is of what words say is large: these reach on in their scope.
+
+    They end where something is small, or all is general again.
+    """
+    reached: list[bool] = []
+    scope: tuple[int, ...] | None = None
+    for passage, each in read:
+        tends = isinstance(each, Statement) and each.sides[-1] == INFINITY
+        if tends or Cue.LARGE in passage.cues:
+            scope = passage.scope
+        elif passage.cues & {Cue.SMALL, Cue.GENERAL} or passage.scope != scope:
+            scope = None
+        reached.append(scope is not None)
+    return reached
+
+
+_WHERE = re.compile(
+    r"\W*(?:(?:only|exactly|just|nur|genau) )?(?:for|if|when|where|at|falls|wenn|für|bei|wo)\W*",
+    re.I,
+)
+"""Words between a value and the condition under which a letter has it."""
+
+
+def _has_condition(k: int, read: Read) -> bool:
+    """Whether a letter is given a number there where the next formula holds."""
+    if k + 1 >= len(read):
+        return False
+    (passage, each), (behind, condition) = read[k : k + 2]
+    return (
+        passage.sentence == behind.sentence
+        and passage.start < behind.start
+        and bool(_WHERE.fullmatch(passage.behind))
+        and isinstance(each, Statement)
+        and isinstance(condition, Statement)
+        and {*each.relations} == {*condition.relations} == {"="}
+        and isinstance(each.sides[-1], n.Number)
+        and not is_time(condition)
+        and not any(isinstance(side, n.Constant) for side in condition.sides)
+    )
+
+
+def _conditions_first(read: Read) -> Read:
+    """The text with the condition before the value that it is for."""
+    order = list(range(len(read)))
+    for k in order[:-1]:
+        if _has_condition(k, read):
+            order[k], order[k + 1] = k + 1, k
+    return [read[k] for k in order]
+
+
+def _only_there(k: int, read: Read) -> str:
+    """The place of which a condition and the value that stood before it speak, if there is one."""
+    for j in (k - 1, k):
+        turned = [*read[j : j + 2]][::-1]
+        if j >= 0 and len(turned) == 2 and _has_condition(0, turned):
+            return f"there {turned[0][0].start}"
+    return ""
+
+
+def _in_letters_of(each: Statement, read: Read, facts: Sequence[Context]) -> Statement:
+    """The statement in the letters of the facts: e₃ for the vector, ℒ for L with a derivative."""
+    of_facts = frozenset().union(*(context.letters for context in facts))
+    written = {head(x.sides[0]) for _, x in read if isinstance(x, Statement)}
+    differentiated = {
+        n.ungrouped(x.of)
+        for _, other in read
+        if isinstance(other, Statement)
+        for side in other.sides
+        for x in n.walked(side)
+        if isinstance(x, n.Derivative)
+    }
+
+    def change(node: Node) -> Node:
+        if not isinstance(node, Letter):
+            return node
+        if node == Letter("L") and node in differentiated and Letter("ℒ") in of_facts:
+            return Letter("ℒ")
+        if node not in of_facts and node not in written:
+            for mark in (node.mark, node.mark.replace("hat", "")):
+                bold = replace(node, bold=True, mark=mark)
+                if bold in of_facts:
+                    return bold
+        if node.sub == "t" and node not in of_facts and replace(node, sub="") in of_facts:
+            return n.Rate(replace(node, sub=""), 1, True)  # θ_t for θ̇
+        return node
+
+    return replace(each, sides=tuple(n.mapped(side, change) for side in each.sides))

@@ -1,0 +1,95 @@
+"""What a system is declared with, and whether it is one: forces, names, constraints.
+
+Each check raises RigidtopError, in one line, for what is no system.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+
+import sympy
+from sympy import Dummy, Expr, Symbol
+from sympy.core.function import AppliedUndef
+
+from rigidtop.errors import RigidtopError
+from rigidtop.system.names import Given, Names, expression, own_functions
+
+
+def acting(forces: Given, q: Given) -> tuple[Expr, ...]:
+    """Forces in the order of the coordinates; nothing for None."""
+    if forces is None:
+        return ()
+    if isinstance(forces, Mapping):
+        unknown = [x for x in forces if x not in tuple(q)]
+        if unknown:
+            raise RigidtopError(
+                f"a force on {unknown[0]}, which is none of the coordinates "
+                f"{', '.join(map(str, q))}"
+            )
+        forces = [forces.get(x, 0) for x in q]
+    if isinstance(forces, (Expr, int, float)):
+        forces = [forces]
+    return tuple(expression("a force", each) for each in forces)
+
+
+def with_time(names: Names, letters: Iterable[Symbol], q: Sequence[Expr]) -> Names:
+    """The names with the time that stands among the letters, if there is one, which all share."""
+    times = {x for x in letters if x.name == names.t.name} - {*names.q, *names.v}
+    plain = all(x.is_Symbol for x in q)
+    if len(times | ({names.t} if not plain else set())) > 1:
+        raise RigidtopError(
+            f"two symbols named {names.t}: there is only one time"
+            + ("" if plain else f", that of {q[0]}")
+        )
+    return replace(names, t=times.pop()) if times else names
+
+
+def check_signs(velocities: Sequence[Symbol], given: Sequence[Expr] | None) -> None:
+    """A velocity of one sign is refused where that matters to what is `given`, or to a force."""
+    for v in velocities:
+        signed = v.is_positive or v.is_negative
+        if signed and (given is None or not all(is_even(each, v) for each in given)):
+            raise RigidtopError(
+                f"{v} is declared to have one sign, and |{v}| is {v} then: "
+                "a velocity has both, declare it real"
+            )
+
+
+def check_terms(given: Mapping[str, Sequence[Expr]], q: Sequence[Expr], names: Names) -> None:
+    """Nothing but coordinates, velocities, the time and constants stands in what is given."""
+    for what, group in given.items():
+        for each in map(names.plain, group):
+            if each.has(*names.a):
+                raise RigidtopError(
+                    f"{what} has an acceleration: coordinates, velocities and "
+                    "the time may stand there"
+                )
+            for x in own_functions([each]):
+                if x.has(*(y.func for y in q if isinstance(y, AppliedUndef))):
+                    raise RigidtopError(f"{what} has {x}, which is none of the velocities")
+
+
+def check_letters(letters: Iterable[Symbol]) -> None:
+    """Each letter has a name of its own."""
+    by_name: dict[str, Symbol] = {}
+    for x in letters:
+        if not x.name.strip():
+            raise RigidtopError("there is a symbol without a name")
+        if by_name.setdefault(x.name, x) != x:
+            raise RigidtopError(f"two different symbols are called {x.name}")
+
+
+def check_rules(rules: Mapping[Expr, Expr], names: Names) -> None:
+    """Each constraint, with itself in plain symbols, is of places, or linear in velocities."""
+    for given, plain in rules.items():
+        if not plain.has(*names.q, *names.v):
+            raise RigidtopError(f"the constraint {given} = 0 has no coordinate and no velocity")
+        if any(plain.diff(v).has(*names.v) for v in names.v):
+            raise RigidtopError(f"the constraint {given} = 0 is not linear in the velocities")
+
+
+def is_even(value: Expr, x: Symbol) -> bool:
+    """Whether −x gives the same as x, but for what stands within a function."""
+    inside = value.replace(lambda e: isinstance(e, sympy.Function) and e.has(x), lambda e: Dummy())
+    return bool(sympy.expand(inside - inside.subs(x, -x)) == 0)
