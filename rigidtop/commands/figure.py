@@ -13,7 +13,6 @@ from rigidtop.commands.output import print_json
 from rigidtop.commands.settings import add_settings, apart, whole
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import settings
-from rigidtop.typeset.words import unmarked
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
@@ -78,6 +77,7 @@ def _run(collection: Collection, names: Sequence[str], options: argparse.Namespa
         _print_list(figures, options.json)
         return 0
     from rigidtop.report.wording import Wording
+    from rigidtop.typeset.words import unmarked
 
     drawing, notation = named(names[0], figures), chosen(options)
     values = settings(drawing.parameters, options.set)
@@ -152,6 +152,7 @@ def _write(drawing: Drawing, path: Path, kind: str, values: dict[str, float], fr
 
 def _print_list(figures: Sequence[Drawing], as_json: bool) -> None:
     from rigidtop.terminal.table import columns, padded, paragraph
+    from rigidtop.typeset.words import unmarked
 
     if as_json:
         print_json([_record(each) for each in figures])
@@ -167,6 +168,8 @@ def _print_list(figures: Sequence[Drawing], as_json: bool) -> None:
 
 def _record(drawing: Drawing) -> dict[str, object]:
     """A figure as plain values."""
+    from rigidtop.typeset.words import unmarked
+
     return {
         "name": drawing.name,
         "title": unmarked(drawing.title),

@@ -133,8 +133,8 @@ def degrees(angle: float) -> str:
     """An angle (rad) in degrees, but a tiny one as it is.
 
     >>> degrees(math.pi / 3), degrees(1e-6)
-    ('60°', '10⁻⁶ rad')
+    ('60°', '10⁻⁶\\u202frad')
     """
     if 0 < abs(angle) < TINY:
-        return f"{said(angle)} rad"
+        return f"{said(angle)}\u202frad"
     return f"{said(math.degrees(angle))}°"

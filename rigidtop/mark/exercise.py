@@ -23,6 +23,7 @@ from rigidtop.mark.task import Subject, task, top
 from rigidtop.parameters import settings
 from rigidtop.proof.exercise import Answer, Exercise
 from rigidtop.proof.units import NUMBER, parsed
+from rigidtop.typeset.words import unmarked
 
 _NAMED = re.compile(r"^[ \t]*(?:[-*][ \t]+)?`?([A-Za-z]\w*)`?[ \t]*=([^=\n]*)$", re.M)
 _NUMBER = re.compile(
@@ -174,7 +175,7 @@ def _numeric(source: str, name: str, asked: Mapping[str, Answer]) -> Marking:
 
 def _marked(at: int, said: str, written: str, asked: Answer) -> Marked:
     """One number with its unit."""
-    what = asked.what.replace("$", "")
+    what = unmarked(asked.what)
     if isinstance(asked.value, str):
         same = written.strip("“”\"'").casefold() == asked.value.casefold()
         note = what if same else f"{what}: words are compared letter by letter"

@@ -90,7 +90,10 @@ _APART = re.compile(
 # --- Characters as commands ----------------------------------------------------------------------
 
 _RAISED, _LOWERED = "".join(SUPERSCRIPTS), "".join(SUBSCRIPTS)
-_PART = re.compile(rf"(.)([{''.join(MARKS)}]+)|[{_RAISED}]+|[{_LOWERED}]+|.", re.S)
+_PART = re.compile(
+    rf"\\[A-Za-z]+|\u202f([A-Za-z]+)|(.)([{''.join(MARKS)}]+)|[{_RAISED}]+|[{_LOWERED}]+|.",
+    re.S,
+)
 _SPACES = {"\u00a0": "\\ ", "\u202f": r"\,", "\u2009": r"\,", "–": "--"}
 
 
@@ -99,8 +102,8 @@ def tex(formula: str) -> str:
 
     A character that no command is known for raises a `ValueError` that names it.
 
-    >>> print(tex("Ω_s = 1.2 × 10⁻⁷"), tex("45°"), tex("10^{-5}°"))
-    \Omega_s = 1.2 \times 10^{-7} 45^{\circ} 10^{-5}{}^{\circ}
+    >>> print(tex(r"\Omega_s = 1.2 × 10⁻⁷"), tex("45°"), tex("10^{-5}°"), tex("10⁻⁶\u202frad"))
+    \Omega_s = 1.2 \times 10^{-7} 45^{\circ} 10^{-5}{}^{\circ} 10^{-6}\,\text{rad}
     """
     if formula.isascii():
         return formula
@@ -110,9 +113,11 @@ def tex(formula: str) -> str:
 
 def _command(part: re.Match[str]) -> str:
     character = part[0]
-    if part[2]:
-        base = MATHS.get(part[1]) or plain(part[1])
-        return reduce(lambda inside, mark: MARKS[mark] % inside, part[2], base)
+    if part[1]:
+        return rf"\,\text{{{part[1]}}}"  # a unit
+    if part[3]:
+        base = MATHS.get(part[2]) or plain(part[2])
+        return reduce(lambda inside, mark: MARKS[mark] % inside, part[3], base)
     if character[0] in SUPERSCRIPTS:
         return f"^{{{''.join(SUPERSCRIPTS[c] for c in character)}}}"
     if character[0] in SUBSCRIPTS:

@@ -8,6 +8,7 @@ from sympy import Symbol
 
 from rigidtop.theory import symbols
 from rigidtop.theory.symbols import VOCABULARY
+from rigidtop.typeset.words import unmarked
 
 MODULE = {name: x for name, x in vars(symbols).items() if isinstance(x, Symbol)}
 UNITS = {
@@ -30,7 +31,7 @@ def test_a_symbol_has_the_name_under_which_it_is_found():
 @pytest.mark.parametrize("symbol", VOCABULARY, ids=str)
 def test_description_and_unit(symbol):
     row = VOCABULARY[symbol]
-    assert re.fullmatch(r"\S.{2,60}[^.\s]", row.meaning)
+    assert re.fullmatch(r"\S.{2,60}[^.\s]", unmarked(row.meaning))
     assert row.unit in UNITS
     assert row.glyph.base
     assert row.glyph.accent in ("", "dot", "ddot", "hat")

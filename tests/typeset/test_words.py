@@ -65,13 +65,24 @@ def test_every_character_in_a_formula_becomes_a_command(character):
     assert tex(f"a{character}").isascii()
 
 
+def test_commands_beside_characters_stay_whole():
+    for character in MATHS:
+        made = tex(rf"\theta = \lambda_1 {character} 4")
+        assert made.startswith(r"\theta = \lambda_1 ")
+    assert tex("\\theta = 3\u202f×\u202f10⁻⁶\u202frad") == (
+        r"\theta = 3\,\times\,10^{-6}\,\text{rad}"
+    )
+
+
 def test_the_meanings_of_the_vocabulary_are_prose():
     for quantity in VOCABULARY.values():
         assert prose(quantity.meaning).isascii()
         assert prose(quantity.unit) or not quantity.unit
 
 
-@pytest.mark.parametrize("room", ["derivations", "figures", "notation", "starter", "theory"])
+@pytest.mark.parametrize(
+    "room", ["chapters", "derivations", "figures", "notation", "starter", "theory"]
+)
 def test_formulas_in_sentences_are_latex(room):
     folder = Path(rigidtop.__file__).parent / room
     folder = folder if folder.exists() else folder.parent.parent / room

@@ -30,8 +30,8 @@ PENDULUM = (
     parameters=PENDULUM,
 )
 def exchange(m: float, length: float, g: float, D: float) -> Iterator[Outcome]:
-    """Where $(ω₂ − ω₁)t/2$ is $π/2$ in (2.8); the pendulums with their sines and cosines are
-    integrated besides, from a small deflection."""
+    r"""Where $(\omega_2 - \omega_1)t/2$ is $\pi/2$ in (2.8); the pendulums with their sines and
+    cosines are integrated besides, from a small deflection."""
     from .swings import SLOWEST, frequency, swing
 
     first, second = (frequency(phase, m, length, g, D) for phase in (0.0, math.pi / 2))
@@ -59,16 +59,16 @@ def exchange(m: float, length: float, g: float, D: float) -> Iterator[Outcome]:
     parameters=PENDULUM,
 )
 def three(m: float, length: float, g: float, D: float) -> Iterator[Outcome]:
-    """$cos(jα + α/2)$ for $j = 0, 1, 2$ has the same value before the first and at it, and behind
-    the last if $3α$ is a multiple of $π$: $α = 0$, $π/3$, $2π/3$. Each shape is let go, and
-    integrated for its period."""
+    r"""$\cos(j\alpha + \alpha/2)$ for $j = 0, 1, 2$ has the same value before the first and at it,
+    and behind the last if $3\alpha$ is a multiple of $\pi$: $\alpha = 0$, $\pi/3$, $2\pi/3$. Each
+    shape is let go, and integrated for its period."""
     from .swings import SLOWEST, frequency, swing
 
-    names = ("slowest", "middle", "fastest")
-    for k, name in enumerate(names):
+    modes = (("slowest", "0"), ("middle", r"\pi/3"), ("fastest", r"2\pi/3"))
+    for k, (name, alpha) in enumerate(modes):
         phase = k * math.pi / 3
         rate = frequency(phase, m, length, g, D)
-        yield Answer(name, f"frequency for $α = {('0', 'π/3', '2π/3')[k]}$", rate, "rad/s")
+        yield Answer(name, rf"frequency for $\alpha = {alpha}$", rate, "rad/s")
         shape = SLOWEST * np.cos(phase * (np.arange(3) + 0.5))
         end = swing([*shape], m, length, g, D).integrate([math.pi / rate, 2 * math.pi / rate]).q
         wrong = float(np.abs(end - [-shape, shape]).max()) / SLOWEST

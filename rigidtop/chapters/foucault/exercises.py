@@ -22,7 +22,9 @@ GRAVITY = Parameter("g", 9.81, "acceleration of gravity, $g$", "m/s²", above=0)
     claims=(Claim("2.3", "The way to the east."), Claim("2.4", "The same for a short fall.")),
     parameters=(
         Parameter("height", 158.0, "height", "m", above=0, most=1e4),
-        Parameter("latitude", math.radians(53.55), "latitude, $λ$", "rad", least=-1.57, most=1.57),
+        Parameter(
+            "latitude", math.radians(53.55), r"latitude, $\lambda$", "rad", least=-1.57, most=1.57
+        ),
         GRAVITY,
     ),
 )
@@ -58,13 +60,15 @@ def tower(height: float, latitude: float, g: float) -> Iterator[Outcome]:
     parameters=(
         Parameter("length", 67.0, "length of the wire", "m", above=0),
         Parameter("A", 3.0, "deflection at the start, $A$", "m", above=0),
-        Parameter("latitude", math.radians(48.85), "latitude, $λ$", "rad", least=0.02, most=1.57),
+        Parameter(
+            "latitude", math.radians(48.85), r"latitude, $\lambda$", "rad", least=0.02, most=1.57
+        ),
         GRAVITY,
     ),
 )
 def pantheon(length: float, A: float, latitude: float, g: float) -> Iterator[Outcome]:
-    """The bob is farthest out again when $cos ω₁t = 1$ in (3.4), with $ω₀ = √(g/l)$. The equations
-    are integrated besides, with the start of (3.3)."""
+    r"""The bob is farthest out again when $\cos\omega_1t = 1$ in (3.4), with
+    $\omega_0 = \sqrt{g/l}$. The equations are integrated besides, with the start of (3.3)."""
     from .laboratory import EARTH, motion
 
     plane = EARTH * math.sin(latitude)

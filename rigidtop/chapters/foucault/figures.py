@@ -59,7 +59,8 @@ LABORATORY = Drawing(
     "1",
     (Parameter("latitude", math.radians(48.85), "latitude", "rad", least=0.0, most=1.4),),
     pen.alone(3.4, lambda axes, **values: draw_laboratory(axes, **values)),
-    "At the latitude $λ = {latitude:°}$; $𝐞₁$ points to the east, $𝐞₂$ to the north.",
+    r"At the latitude $\lambda = {latitude:°}$; $\mathbf e_1$ points to the east, $\mathbf e_2$ to "
+    "the north.",
     "A globe with its axis and the arrow omega upwards. From a place on it at the latitude "
     "{latitude:°} degrees three arrows start: e1 to the east, e2 to the north, e3 away from the "
     "middle of the globe.",

@@ -10,7 +10,7 @@ from rigidtop.proof.exercise import Answer, Outcome, exercise
 from rigidtop.proof.page import Claim, Measure
 
 AXIS = Parameter("a", 2.6679e12, "half of the long axis, $a$", "m", above=0)
-ECCENTRICITY = Parameter("epsilon", 0.967, "eccentricity, $ε$", least=0, most=0.99)
+ECCENTRICITY = Parameter("epsilon", 0.967, r"eccentricity, $\varepsilon$", least=0, most=0.99)
 YEAR = 365.25 * 86400.0
 """In s."""
 
@@ -27,8 +27,8 @@ YEAR = 365.25 * 86400.0
     parameters=(AXIS, ECCENTRICITY),
 )
 def comet(a: float, epsilon: float) -> Iterator[Outcome]:
-    """(2.4) gives the period, (2.6) the speeds, and (2.3), with $η = π/2$, the time; the orbit is
-    integrated besides."""
+    r"""(2.4) gives the period, (2.6) the speeds, and (2.3), with $\eta = \pi/2$, the time; the
+    orbit is integrated besides."""
     from .orbits import GM, orbit
 
     motion = math.sqrt(GM / a**3)
@@ -60,11 +60,11 @@ def comet(a: float, epsilon: float) -> Iterator[Outcome]:
     "of a period does the planet pass the part with the perihelion, and how much longer does it "
     "take for the other part, if a period is a year?",
     claims=(Claim("2.3", "Kepler's equation."),),
-    parameters=(Parameter("epsilon", 0.0167, "eccentricity, $ε$", least=0, most=0.9),),
+    parameters=(Parameter("epsilon", 0.0167, r"eccentricity, $\varepsilon$", least=0, most=0.9),),
 )
 def seasons(epsilon: float) -> Iterator[Outcome]:
-    """At the line $x = 0$, which is $cos η = ε$; (2.3) gives the time. The orbit is integrated
-    until $φ = π/2$ besides."""
+    r"""At the line $x = 0$, which is $\cos\eta = \varepsilon$; (2.3) gives the time. The orbit is
+    integrated until $\phi = \pi/2$ besides."""
     from sympy import Symbol
 
     from .orbits import orbit, period

@@ -86,8 +86,8 @@ CONICS = Drawing(
     "1",
     (ECCENTRICITY,),
     pen.alone(3.3, lambda axes, **values: draw_conics(axes, **values)),
-    "All have the semi-latus rectum $p$: a circle, an ellipse of $ε = {epsilon}$, a parabola and a "
-    "hyperbola, integrated from the perihelion.",
+    r"All have the semi-latus rectum $p$: a circle, an ellipse of $\varepsilon = {epsilon}$, a "
+    "parabola and a hyperbola, integrated from the perihelion.",
     "Four curves about the sun, which all go through the same point above it: a circle, an ellipse "
     "of eccentricity {epsilon}, a parabola and a hyperbola that open to the left. A planet on the "
     "ellipse is at the distance r and the angle phi from the perihelion.",
@@ -152,8 +152,9 @@ AREAS = Drawing(
     "2",
     (ECCENTRICITY,),
     pen.alone(2.7, lambda axes, **values: draw_areas(axes, **values)),
-    "An orbit of $ε = {epsilon}$ in {parts} sectors, each swept over in the same time. At the "
-    "perihelion the planet goes {wide:°} about the sun in that time, at the aphelion {narrow:°}.",
+    r"An orbit of $\varepsilon = {epsilon}$ in {parts} sectors, each swept over in the same time. "
+    "At the perihelion the planet goes {wide:°} about the sun in that time, at the aphelion "
+    "{narrow:°}.",
     "An ellipse with the sun near its right end, cut by lines from the sun into {parts} sectors of "
     "equal areas: a short and wide one at the perihelion, {wide:°} degrees, long and narrow ones "
     "at the aphelion, {narrow:°} degrees.",

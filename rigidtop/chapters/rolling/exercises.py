@@ -19,15 +19,15 @@ from rigidtop.proof.page import Claim, Measure
     "arrive, and how rough must the slope be at least for it? How fast is the ball in the end?",
     claims=(Claim("1.3", "The acceleration."), Claim("1.4", "Without slipping.")),
     parameters=(
-        Parameter("slope", math.radians(20), "slope, $α$", "rad", above=0, most=1.4),
+        Parameter("slope", math.radians(20), r"slope, $\alpha$", "rad", above=0, most=1.4),
         Parameter("way", 2.0, "way", "m", above=0),
         Parameter("R", 0.1, "radius, $R$", "m", above=0),
         Parameter("g", 9.81, "acceleration of gravity, $g$", "m/s²", above=0),
     ),
 )
 def race(slope: float, way: float, R: float, g: float) -> Iterator[Outcome]:
-    """(1.3) and (1.4) with $I = mR²$, $mR²/2$ and $2mR²/5$; the equations with their constraint are
-    integrated besides."""
+    """(1.3) and (1.4) with $I = mR^2$, $mR^2/2$ and $2mR^2/5$; the equations with their constraint
+    are integrated besides."""
     from .rolling import SHAPES, down
 
     rows = []
@@ -40,7 +40,9 @@ def race(slope: float, way: float, R: float, g: float) -> Iterator[Outcome]:
         yield Measure(f"way of the {name}, integrated (m)", abs(run.q[0, 0] - way), 1e-8 * way)
     yield Answer("speed", "speed of the ball in the end", 2 * way / time, "m/s")
     yield Answer("rough", "least coefficient of friction for the hoop", rows[0][2])
-    yield Table("each", "What each needs", ("what rolls", "time (s)", "least $μ_s$"), tuple(rows))
+    yield Table(
+        "each", "What each needs", ("what rolls", "time (s)", r"least $\mu_s$"), tuple(rows)
+    )
 
 
 @exercise(
@@ -53,14 +55,14 @@ def race(slope: float, way: float, R: float, g: float) -> Iterator[Outcome]:
     "how far from the axis does it come at most?",
     claims=(Claim("2.4", "The middle of the circle."), Claim("2.5", "The circle.")),
     parameters=(
-        Parameter("turn", math.pi, "rate of the table, $Ω$", "rad/s", above=0),
+        Parameter("turn", math.pi, r"rate of the table, $\Omega$", "rad/s", above=0),
         Parameter("d", 0.2, "distance from the axis", "m", least=0),
         Parameter("v", 0.1, "velocity outwards", "m/s", above=0),
     ),
 )
 def turntable(turn: float, d: float, v: float) -> Iterator[Outcome]:
-    """(2.5) has the radius, (2.2) the time, and the middle of the circle is $7v/(2Ω)$ beside the
-    start; the ball is integrated with its rolling constraint besides, once round."""
+    r"""(2.5) has the radius, (2.2) the time, and the middle of the circle is $7v/(2\Omega)$ beside
+    the start; the ball is integrated with its rolling constraint besides, once round."""
     from .rolling import set_down
 
     radius, time = 7 * v / (2 * turn), 7 * math.pi / turn

@@ -85,9 +85,10 @@ WHEEL = Drawing(
     "1",
     (RATIO, SLOPE),
     pen.alone(2.4, lambda axes, **values: draw_wheel(axes, **values)),
-    "The slope is $α = {slope:°}$, and $I/mR² = {ratio}$; $𝐒$ is the push of the slope. The wheel "
-    "has {share:%} per cent of the acceleration of something that slides without friction, and "
-    "does not slip for $μ_s > {rough}$. Grey: in flashes of light, at equal intervals.",
+    r"The slope is $\alpha = {slope:°}$, and $I/mR^2 = {ratio}$; $\mathbf S$ is the push of the "
+    "slope. The wheel has {share:%} per cent of the acceleration of something that slides without "
+    r"friction, and does not slip for $\mu_s > {rough}$. Grey: in flashes of light, at equal "
+    "intervals.",
     "A wheel with a spoke on a slope of {slope:°} degrees. Arrows are its weight, the push of the "
     "slope and the friction, which points up the slope. Further down it stands in grey, farther "
     "and farther apart, the spoke turned.",
@@ -98,7 +99,7 @@ WHEEL = Drawing(
 
 D = Parameter("d", 0.2, "distance from the axis at the start", "m", least=0.05, most=1)
 V = Parameter("v", 0.1, "velocity at the start, outwards", "m/s", above=0, most=2)
-TURN = Parameter("turn", math.pi, "rate of the table, $Ω$", "rad/s", above=0)
+TURN = Parameter("turn", math.pi, r"rate of the table, $\Omega$", "rad/s", above=0)
 
 
 def places(d: float, v: float, turn: float, times: Floats) -> Floats:
@@ -194,9 +195,9 @@ CIRCLE = Drawing(
     "2",
     (D, V, TURN),
     _circle,
-    "The table turns to the left at $Ω = {turn}$ rad/s; the ball starts {d} m from the axis with "
-    "$v = {v}$ m/s and goes round in {time} s, at the distance {radius} m from $𝐜$. Right: two "
-    "rounds as seen by somebody on the table.",
+    r"The table turns to the left at $\Omega = {turn}$ rad/s; the ball starts {d} m from the axis "
+    r"with $v = {v}$ m/s and goes round in {time} s, at the distance {radius} m from $\mathbf c$. "
+    "Right: two rounds as seen by somebody on the table.",
     "Two round tables from above. On the left the ball goes round in a circle of {radius} m about "
     "a point c that is not the axis of the table; on the right, from the table, its path winds "
     "about the axis seven times and closes.",
