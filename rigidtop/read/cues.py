@@ -229,8 +229,8 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
     ),
     Cue.GENERAL: (
         r"\b(?:in general|generally|again|exact(?:ly)?|without (?:the |this )?approximations?"
-        r"|on the other hand|(?:for|at|in) (?:any|all|every|each)(?: other)? (?:times?|t\b|§"
-        r"|moments?|points?|places?|positions?|distances?|angles?|instants?|motions?)"
+        r"|on the other hand|(?:for|at|in) (?:any|all|every|each)(?: other)?(?:\Z| (?:times?|t\b|§"
+        r"|moments?|points?|places?|positions?|distances?|angles?|instants?|motions?))"
         r"|everywhere|throughout|all the way|(?:on|during|along) the whole \w+|überall|partout"
         r"|(?<!as )always"
         r"|(?:im )?allgemein(?:en)?|wieder|exakt|genau|andererseits|jederzeit|zu jeder Zeit|stets"
