@@ -98,8 +98,9 @@ def _run(
             print(paragraph(f"{label(lecture, name, notation)}: {said}", rest="  "))
     for name in names:
         below = [label(lecture, each, notation) for each in lecture.resting(name)]
-        on_it = f"On {label(lecture, name, notation)} rest {len(below)}: {', '.join(below)}"
-        print("\n" + paragraph(on_it, rest="  "))
+        this = label(lecture, name, notation)
+        on_it = f"On {this} rest {len(below)}: {', '.join(below)}"
+        print("\n" + paragraph(on_it if below else f"On {this} rests nothing", rest="  "))
     if falling:
         labels = [label(lecture, each, notation) for each in falling]
         print(paragraph(f"\nNot every line to these follows: {', '.join(labels)}"))

@@ -367,7 +367,7 @@ def called(line: Line, notation: Notation = NOTES) -> b.Rich:
             name, *rest = (naming.string[naming.end() :], *rest[k:])
             break
     if isinstance(name, str):
-        name = name[:1].lower() + name[1:] if name.startswith("The ") else name
+        name = name[:1].lower() + name[1:] if name.startswith(("The ", "A ")) else name
     made = (name, *rest)
     last = made[-1]
     return (*made[:-1], last.rstrip(": \n")) if isinstance(last, str) else made
