@@ -99,3 +99,55 @@ def test_a_line_follows_and_is_told_with_a_slip(above, line, old, new):
     right = judged(f"{above}\n$$ {line} $$\n")[-1].outcome
     wrong = judged(f"{above}\n$$ {line.replace(old, new)} $$\n")[-1].outcome
     assert (right.passed, wrong.passed) == (True, False)
+
+
+FLIGHT = r"A shot has $$ \dot y = u - gt. $$ At the highest point $\dot y = 0$. There" + "\n"
+HOLLOW = r"""
+The potential is $U = ax^4 - bx^2$. In equilibrium $\frac{dU}{dx} = 0$, so
+$$ x^2 = \frac{b}{2a} $$ For any $x$
+"""
+SPHERE = r"""
+$$ v^2 = 2gR(1 - \cos\theta) $$ and the normal force is
+$$ N = mg\cos\theta - \frac{mv^2}{R}. $$ The ball leaves the sphere when $N = 0$, that is
+$$ \cos\theta = \frac23. $$ While it slides
+$$ \dot v = g\sin\theta. $$
+"""
+ROD = r"""
+$$ \omega^2 = \frac{3g}{l}(1 - \cos\theta) $$ For $\theta = \pi$
+$$ \omega = \sqrt{\frac{6g}{l}} $$ and $\dot\omega = \frac{3g}{2l}\sin\theta$. In general
+"""
+SPRING = r"""
+$$ E = \frac12 mv^2 + \frac12 kx^2. $$ Half way, $x = A/2$,
+$$ v^2 = \frac{2E}{m} - \frac{kA^2}{4m}. $$ At every point
+"""
+SLOW = r"""
+$$ E = \frac12 m\omega^2A^2, \qquad \omega = \sqrt{k/m}. $$
+The quantity $J = E/\omega$ stays constant while it goes from $k_1$ to $k_2$. Then
+"""
+DROPS = r"With $\dot m = kmv$ and $$ m\dot v + \dot mv = mg $$ one solution is" + "\n"
+BEAD = r"A bead has $$ L = \frac12 m(\dot r^2 + r^2\omega^2). $$ Its energy is" + "\n"
+DISC = (
+    r"$\alpha^2\dot\alpha = -\kappa$. From the start $\alpha = \alpha_0$ at $t = 0$ we find" + "\n"
+)
+ELSEWHERE = {
+    "after the highest point": FLIGHT
+    + r"$$ t = \frac ug. $$ During the whole flight $$ \dot y = 0 $$",
+    "for any place": HOLLOW + r"$$ \frac{d^2U}{dx^2} = 4b $$",
+    "before it leaves": SPHERE + r"$$ v^2 = gR\cos\theta $$",
+    "at other angles": ROD + r"$$ \omega^2 = \frac{6g}{l} $$",
+    "at every point": SPRING + r"$$ x = \frac A2 $$",
+    "what is not conserved": SLOW + r"$$ \omega_2 = \omega_1 $$",
+    "with a mass that may not vanish": DROPS + r"$$ v = \frac12gt $$",
+    "after the start": DISC + r"$$ \alpha^3 = \alpha_0^3 - \frac13\kappa t $$",
+}
+"""Texts of which the last line is wrong, and would be right somewhere else."""
+
+
+@pytest.mark.parametrize("text", ELSEWHERE.values(), ids=ELSEWHERE)
+def test_what_holds_somewhere_does_not_hold_in_general(text):
+    assert judged(text)[-1].outcome.passed is not True
+
+
+def test_the_energy_of_what_is_turned_need_not_be_that_of_jacobi():
+    line = r"$$ E = \frac12 m(\dot r^2 + r^2\omega^2) $$"
+    assert judged(BEAD + line)[-1].outcome.passed is not False
