@@ -52,8 +52,8 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
         any_time |= isinstance(each, Statement) and each.sides == (_TIME,)
         if Cue.GENERAL in passage.cues or begun or over:
             now = ""
-        elif Cue.MOMENT in passage.cues and _AGAIN.search(passage.before) and before:
-            now = before
+        elif Cue.MOMENT in passage.cues and _AGAIN.search(passage.before):
+            now = before or now
         elif Cue.MOMENT in passage.cues and not any_time:
             said = _STARTS.search(f"{passage.before} § {passage.behind}")
             another = shown and not passage.display  # at r = a, §, and at r = b, §
