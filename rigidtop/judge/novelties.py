@@ -269,7 +269,9 @@ def value(question: Question) -> Judgement | None:
         if solved is not None:
             definition = Definition(solved, at.number, at.scope)
             return outcome, context.defining(letter, definition)
-    kind = SETTING if at.inline or at.balanced else PREMISE
+    rates = any(jet.order for gap in question.gaps for jet in jets(gap).values())
+    passed = at.inline and not rates  # what ties rates, as rolling does, stays
+    kind = SETTING if passed or at.balanced else PREMISE
     return outcome, context.holding(question.constraint(kind))
 
 
