@@ -11,7 +11,6 @@ from rigidtop.judge.context import LINEAR, Limit
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, Slip, slip
 from rigidtop.judge.implicit import implicit, solves_nearly
 from rigidtop.judge.jets import jet_of, jets
-from rigidtop.judge.meaning import UnclearError
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.orders import (
     Scaling,
@@ -26,6 +25,7 @@ from rigidtop.judge.outcome import ASSUMING, FALSE, PREMISE, UNDECIDED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.settings import is_own
 from rigidtop.judge.sides import ZERO
+from rigidtop.judge.values import UnclearError
 from rigidtop.judge.worlds import Worlds
 from rigidtop.tree.nodes import Letter
 from rigidtop.tree.plain import plain as in_words

@@ -8,10 +8,10 @@ from functools import partial
 
 from rigidtop.judge.context import SETTING, Constraint
 from rigidtop.judge.faults import slip
-from rigidtop.judge.meaning import UnclearError
 from rigidtop.judge.numbers import are_numbers
 from rigidtop.judge.outcome import PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
+from rigidtop.judge.values import UnclearError
 from rigidtop.judge.worlds import Worlds
 from rigidtop.tree.nodes import Node
 

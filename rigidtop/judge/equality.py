@@ -21,13 +21,14 @@ from rigidtop.judge import (
 )
 from rigidtop.judge.brackets import convention
 from rigidtop.judge.context import Constraint
+from rigidtop.judge.counterexample import refuted
 from rigidtop.judge.faults import NUMBERS
 from rigidtop.judge.laws import LAGRANGIANS, hamilton, lagrange
-from rigidtop.judge.meaning import UnclearError
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import ASSUMING, DEFINITION, PREMISE, SAMPLED, UNDECIDED, Outcome
 from rigidtop.judge.question import Judgement, Question
 from rigidtop.judge.sides import ZERO, letters_of, named, other_root, own_letters
+from rigidtop.judge.values import UnclearError
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Letter, Node
@@ -221,7 +222,7 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
     if at.closed:
         near = approximations.near_slip(question) if at.small or at.large else None
         wrong = near or faults.slip(question)
-        return wrong.outcome if wrong is not None else faults.refuted(question), context
+        return wrong.outcome if wrong is not None else refuted(question), context
     # In a line of words it may be said of another case, if it is not a sign or a number.
     wrong = faults.slip(question, most=NUMBERS if at.inline and not at.derived else inf)
     if wrong is not None:
@@ -266,7 +267,7 @@ def _worked_out(question: Question) -> Outcome | None:
     """
     if not faults.is_settled(question) or approximations.nearly_equal(question) is not None:
         return None
-    return faults.multiple(question) or faults.refuted(question)
+    return faults.multiple(question) or refuted(question)
 
 
 def _one_root(question: Question) -> Judgement | None:

@@ -1,16 +1,14 @@
-"""What is wrong with a statement: a slip, a missing term, a contradiction, or a counterexample."""
+"""What is wrong with a statement: a slip, a missing term, or a contradiction."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 from sympy import Add, Expr, Symbol, cancel, factor_terms, fraction, linsolve, together
 from sympy.solvers.solveset import NonlinearError
 
@@ -19,21 +17,19 @@ from rigidtop.judge import worlds as w
 from rigidtop.judge.context import Context, Definition, is_open
 from rigidtop.judge.jets import TIME, jet_of
 from rigidtop.judge.laws import highest
-from rigidtop.judge.meaning import Meaning, Meant, UnclearError, plain
+from rigidtop.judge.meaning import Meaning, Meant
 from rigidtop.judge.outcome import FALSE, Outcome
 from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.question import Pair, Question, paired
 from rigidtop.judge.sides import ZERO, entries, letters_of, named, own_letters
 from rigidtop.judge.slips import Change, changes, times
+from rigidtop.judge.values import UnclearError, plain
 from rigidtop.judge.worlds import Worlds
 from rigidtop.judge.written import written
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
-
-MOST_NUMBERS = 8
-"""Of a counterexample no more numbers are told."""
 
 MOST_LETTERS = 16
 """So many letters are tried in place of others."""
@@ -468,41 +464,3 @@ LARGEST_OF_A_FRACTION = 100
 
 ROUNDED = 0.05
 """A number that is given with few digits is nearer to what it stands for."""
-
-
-# --- A counterexample ----------------------------------------------------------------------------
-
-
-def refuted(question: Question) -> Outcome:
-    """That it fails in a world, with the numbers of its letters and of both sides there."""
-    letters = _numbered(question)
-    for left, right in question.both:
-        try:
-            values = question.worlds.program.values([*letters.values(), left, right]).values.real
-        except UnknownFunctionError:
-            break
-        fails = [k for k in range(question.worlds.count) if not _agree(values[-2:, k])]
-        if fails:
-            *numbers, here, there = values[:, fails[0]]
-            told = [f"{x} = {v:.3g}" for x, v in zip(letters, numbers, strict=True)]
-            where = f"at {', '.join(told[:MOST_NUMBERS])}: " if told else ""
-            both = f"the left side is {here:.4g}, the right side {there:.4g}"
-            return Outcome(FALSE, (where + both).replace("-", "−"), question.rests_on)
-    return Outcome(FALSE, "it does not hold", question.rests_on)
-
-
-def _numbered(question: Question) -> dict[str, Expr]:
-    """The letters and rates that stand in it and have a number in its worlds."""
-    meaning, numbered = question.meaning(), dict[str, Expr]()
-    for node in (x for side in (question.left, question.right) for x in n.walked(side)):
-        if isinstance(node, Letter) or (isinstance(node, n.Rate) and node.dotted):
-            with suppress(UnclearError):
-                value = meaning.scalar(node)
-                if value.free_symbols <= {*question.worlds.letters}:
-                    numbered[in_words(node)] = value
-    return numbered
-
-
-def _agree(pair: NDArray[np.float64]) -> bool:
-    """Whether two numbers differ by no more than rounding."""
-    return bool(abs(pair[0] - pair[1]) <= w.CLOSE * (abs(pair[0]) + abs(pair[1]) + w.CLOSE))

@@ -14,11 +14,12 @@ from sympy import MatrixBase
 from rigidtop.judge.context import FIELD, Context, Definition
 from rigidtop.judge.faults import NUMBERS, SLIP_SECONDS
 from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS, Residual
-from rigidtop.judge.meaning import Meaning, UnclearError, pairs
+from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.sides import speaks_of
 from rigidtop.judge.slips import changes
+from rigidtop.judge.values import UnclearError, pairs
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Letter, Node

@@ -13,7 +13,8 @@ from rigidtop.judge.alphabet import Alphabet, letters_of
 from rigidtop.judge.context import PREMISE, Constraint, Context, Definition, Habits
 from rigidtop.judge.jets import TIME, Jet, jets, symbol
 from rigidtop.judge.laws import Residual
-from rigidtop.judge.meaning import Meaning, Meant, Memory, UnclearError, Value, pairs, particles
+from rigidtop.judge.meaning import Meaning, Meant, Memory, particles
+from rigidtop.judge.values import UnclearError, Value, pairs
 from rigidtop.proof.moves import Condition, Scope
 from rigidtop.read.statements import statements
 from rigidtop.tree import nodes as n

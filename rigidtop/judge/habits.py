@@ -9,7 +9,7 @@ from rigidtop.judge.brackets import conjugates
 from rigidtop.judge.context import TIME, Habits
 from rigidtop.judge.fields import fields_of
 from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS
-from rigidtop.judge.meaning import is_component
+from rigidtop.judge.names import is_component
 from rigidtop.judge.starts import COORDINATES, SPEEDS
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node

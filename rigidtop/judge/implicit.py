@@ -12,10 +12,10 @@ from sympy import Add, Expr, Integer, Symbol
 
 from rigidtop.judge.context import Constraint, Context
 from rigidtop.judge.jets import operations
-from rigidtop.judge.meaning import UnclearError
 from rigidtop.judge.orders import LONGEST, Scaling, nearly, share
 from rigidtop.judge.question import Pair, Question, alone
 from rigidtop.judge.sides import own_letters
+from rigidtop.judge.values import UnclearError
 from rigidtop.judge.worlds import Worlds
 from rigidtop.tree.nodes import Letter
 

@@ -12,7 +12,8 @@ from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import Constraint, Context, Definition
 from rigidtop.judge.jets import jets
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
-from rigidtop.judge.meaning import Meaning, Memory, UnclearError, is_component
+from rigidtop.judge.meaning import Meaning, Memory
+from rigidtop.judge.names import is_component
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, Outcome, joint
 from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.question import Judgement, Patience, Premises, Question
@@ -30,6 +31,7 @@ from rigidtop.judge.sides import (
     with_constant_last,
 )
 from rigidtop.judge.situation import Situation
+from rigidtop.judge.values import UnclearError
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words

@@ -34,16 +34,9 @@ from rigidtop.judge.jets import (
     symbol,
     symbols,
 )
-from rigidtop.judge.meaning import (
-    LARGEST,
-    Meaning,
-    Memory,
-    UnclearError,
-    is_vector,
-    pairs,
-    particles,
-    plain,
-)
+from rigidtop.judge.meaning import LARGEST, Meaning, Memory, particles
+from rigidtop.judge.names import is_vector
+from rigidtop.judge.values import UnclearError, pairs, plain
 from rigidtop.tree.nodes import Derivative, Letter, Negative, Number, Rate, letters, mapped
 
 MULTIPLIERS = frozenset({"λ", "μ", "Λ"})

@@ -9,23 +9,30 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import sympy
-from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Rational, Symbol
-from sympy.core.function import AppliedUndef
+from sympy import Expr, ImmutableMatrix, MatrixBase, Rational, Symbol
 
 from rigidtop.judge.brackets import bracket, conjugates, is_bracket
 from rigidtop.judge.context import Context, Definition
-from rigidtop.judge.jets import TIME, Jet, at_instant, jet_of, jets, operations, rate, symbol
+from rigidtop.judge.jets import TIME, Jet, at_instant, jet_of, jets, rate, symbol
+from rigidtop.judge.names import basis_of, component_of, function_name, is_vector
+from rigidtop.judge.units import UNITS
+from rigidtop.judge.values import (
+    UnclearError,
+    Value,
+    added,
+    length,
+    matrix_product,
+    multiplied,
+    size,
+    unit_times,
+)
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
-
-Value = Any
-"""An expression, or a matrix of expressions."""
 
 PARTICLES = 3
 """Of a sum over particles so many are taken."""
@@ -54,10 +61,6 @@ LARGEST = 4_000
 
 DEEPEST = 40
 """Definitions are not put into definitions deeper."""
-
-
-class UnclearError(Exception):
-    """Why a formula has no meaning that could be judged."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,7 +180,7 @@ class Meaning:
             return component
         vector = replace(letter, bold=True)
         if letter in self.context.habits.lengths:
-            return _length(self.letter(vector))
+            return length(self.letter(vector))
         return self.free(letter)
 
     def named(self, letter: Letter) -> Letter:
@@ -207,7 +210,7 @@ class Meaning:
         if index.startswith(REGION) and letter == DENSITY:
             return _part(MASS, *place) / _part(VOLUME, *place)
         if is_vector(letter):
-            fixed = None if letter in self.moving else _basis(letter)
+            fixed = None if letter in self.moving else basis_of(letter)
             if fixed is not None:
                 return fixed
             return ImmutableMatrix([symbol(Jet(letter, 0, (*place, k))) for k in range(3)])
@@ -226,7 +229,7 @@ class Meaning:
                 used=set(), consulted={letter: definition}, depth=self.depth + 1, bound=bound
             )
             value = inner.value(definition.node)
-            if _size(value) > LARGEST:
+            if size(value) > LARGEST:
                 raise UnclearError("it becomes too long")
             known = value, frozenset(inner.used | {definition.number}), inner.consulted
             self.memory.values[key] = known
@@ -424,7 +427,7 @@ class Meaning:
                 )
                 for places in _places(spans)
             ]
-        return _added(terms) if node.sign == "Σ" else _multiplied(terms)
+        return added(terms) if node.sign == "Σ" else multiplied(terms)
 
     def _span(self, node: n.Total) -> range:
         if isinstance(node.upper, n.Number) and isinstance(node.lower, n.Number):
@@ -469,8 +472,8 @@ class Meaning:
         for k in range(PARTICLES):
             there = self.with_(bound={**self.bound, REGION + mark: k})
             size = _part(MASS if node.by == MASS else VOLUME, k)
-            terms.append(_multiplied([size, there.value(node.of)]))
-        return _added(terms)
+            terms.append(multiplied([size, there.value(node.of)]))
+        return added(terms)
 
 
 MASS, VOLUME, DENSITY = Letter("m"), Letter("V"), Letter("ρ")
@@ -509,69 +512,6 @@ def _free_indices(node: Node, names: frozenset[str]) -> set[str]:
     return {x for part in n.parts(node) for x in _free_indices(part, names)}
 
 
-def is_vector(letter: Letter) -> bool:
-    """Whether it is written as a vector."""
-    return letter.bold or letter.mark == "hat"
-
-
-def component_of(letter: Letter) -> n.Dot:
-    """What a letter is by its name, if it is a component: the vector times a unit vector."""
-    axis = Letter("e", letter.sub.rstrip("′"), "′" * letter.sub.count("′"), True)
-    return n.Dot(replace(letter, sub="", bold=True), axis)
-
-
-def is_component(letter: Letter, vector: Letter) -> bool:
-    """Whether it is the name of one number of a vector: ω₁, v_x."""
-    named = len(letter.sub) == 1 and letter.sub in "xyz123" and not letter.bold
-    return named and vector == Letter(letter.base, "", letter.mark, True)
-
-
-def function_name(letter: Letter) -> str:
-    """The name of the function of SymPy that an unknown function is."""
-    return "\x1f".join((letter.base, letter.sub, letter.mark))
-
-
-def plain(expressions: Sequence[Expr]) -> list[Expr]:
-    """Unknown functions and their slopes as numbers of their own, alike in all expressions."""
-    return [_plain(sympy.sympify(x)) for x in expressions]
-
-
-@lru_cache(maxsize=100_000)
-def _plain(expression: Expr) -> Expr:
-    """The same; each part of an expression is looked at once."""
-    if isinstance(expression, (AppliedUndef, sympy.Derivative, sympy.Subs)):
-        return Symbol(f"f({sympy.srepr(expression)})", real=True)
-    parts = [_plain(x) for x in expression.args]
-    same = all(x is y for x, y in zip(parts, expression.args, strict=True))
-    return expression if same else expression.func(*parts)
-
-
-def pairs(left: Value, right: Value) -> list[tuple[Expr, Expr]]:
-    """Both sides, entry by entry.  Raises UnclearError where they are not of one kind."""
-    if isinstance(left, MatrixBase) or isinstance(right, MatrixBase):
-        if right == 0 and isinstance(left, MatrixBase):
-            right = sympy.zeros(*left.shape)
-        if left == 0 and isinstance(right, MatrixBase):
-            left = sympy.zeros(*right.shape)
-        left, right = _unit_times(left, right), _unit_times(right, left)
-        if not (isinstance(left, MatrixBase) and isinstance(right, MatrixBase)):
-            raise UnclearError("one side is a number, the other is none")
-        if left.shape != right.shape and left.shape == right.shape[::-1]:
-            right = right.T
-        if left.shape != right.shape:
-            raise UnclearError("the sides have different shapes")
-        return list(zip(left, right, strict=True))
-    return [(left, right)]
-
-
-def _unit_times(value: Value, other: Value) -> Value:
-    """A number as that multiple of the unit matrix that the other side is; 1 × 1 is a number."""
-    if isinstance(value, MatrixBase) or not isinstance(other, MatrixBase):
-        return value
-    rows, columns = other.shape
-    return value * sympy.eye(rows) if rows == columns else value
-
-
 # --- one handler a kind of node ------------------------------------------------------------------
 
 
@@ -608,18 +548,12 @@ def _apply(meaning: Meaning, node: n.Apply) -> Value:
     return function(of)
 
 
-def _length(value: Value) -> Expr:
-    if isinstance(value, MatrixBase):
-        return sympy.sqrt(value.dot(value))
-    return sympy.Abs(value)
-
-
 def _dot(meaning: Meaning, node: n.Dot) -> Value:
     left, right = meaning.value(node.left), meaning.value(node.right)
     if isinstance(left, MatrixBase) and isinstance(right, MatrixBase):
         if left.shape == right.shape and left.shape[1] == 1:
             return left.dot(right)
-        return _matrices(left, right)
+        return matrix_product(left, right)
     return left * right
 
 
@@ -662,7 +596,7 @@ def _determinant(meaning: Meaning, node: n.Matrix) -> Value:
     for k, each in enumerate(first):
         rest = below.extract([*range(len(rows))], [j for j in range(len(first)) if j != k])
         terms.append((-1) ** k * rest.det() * meaning.value(each))
-    return _added(terms)
+    return added(terms)
 
 
 def _column(meaning: Meaning, node: n.Tuple) -> Value:
@@ -760,7 +694,7 @@ def _product(meaning: Meaning, node: n.Product) -> Value:
         varied = first == Letter("δ") and first not in own
         if varied and isinstance(behind, (Letter, n.Rate)):
             raise UnclearError("a variation, δ before a letter, is not judged")
-    return _multiplied([meaning.value(x) for x in node.factors])
+    return multiplied([meaning.value(x) for x in node.factors])
 
 
 def _grouped(meaning: Meaning, node: n.Group) -> Value:
@@ -773,8 +707,8 @@ def _sum(meaning: Meaning, node: n.Sum) -> Value:
     values = [meaning.value(x) for x in node.terms]
     square = next((x for x in values if isinstance(x, MatrixBase) and x.rows == x.cols > 1), None)
     if square is not None:
-        values = [_unit_times(_without_unit(meaning, x), square) for x in values]
-    return _added(values)
+        values = [unit_times(_without_unit(meaning, x), square) for x in values]
+    return added(values)
 
 
 def _without_unit(meaning: Meaning, value: Value) -> Value:
@@ -808,7 +742,7 @@ _HANDLERS: dict[type[Node], Callable[[Meaning, Any], Value]] = {
     n.Call: Meaning.call,
     n.Group: _grouped,
     n.Braced: lambda m, node: m.value(node.of),
-    n.Absolute: lambda m, node: _length(m.value(node.of)),
+    n.Absolute: lambda m, node: length(m.value(node.of)),
     n.Rate: _rate_of,
     n.Primed: Meaning.primed,
     n.Derivative: Meaning.derivative,
@@ -860,60 +794,6 @@ _NAMED = {
 }
 
 
-def _prefixed() -> dict[str, tuple[Expr, dict[str, int]]]:
-    plain: dict[str, tuple[Expr, dict[str, int]]] = {
-        "m": (Integer(1), {"m": 1}),
-        "g": (Rational(1, 1000), {"kg": 1}),
-        "s": (Integer(1), {"s": 1}),
-        "N": (Integer(1), {"kg": 1, "m": 1, "s": -2}),
-        "J": (Integer(1), {"kg": 1, "m": 2, "s": -2}),
-        "W": (Integer(1), {"kg": 1, "m": 2, "s": -3}),
-        "Pa": (Integer(1), {"kg": 1, "m": -1, "s": -2}),
-        "Hz": (Integer(1), {"s": -1}),
-        "A": (Integer(1), {"A": 1}),
-        "K": (Integer(1), {"K": 1}),
-        "C": (Integer(1), {"A": 1, "s": 1}),
-        "V": (Integer(1), {"kg": 1, "m": 2, "s": -3, "A": -1}),
-        "T": (Integer(1), {"kg": 1, "s": -2, "A": -1}),
-        "mol": (Integer(1), {"mol": 1}),
-        "rad": (Integer(1), {}),
-    }
-    prefixes = {"": 0, "k": 3, "M": 6, "G": 9, "c": -2, "d": -1, "m": -3, "μ": -6, "n": -9}
-    made = {
-        prefix + name: (factor * Rational(10) ** power, powers)
-        for name, (factor, powers) in plain.items()
-        for prefix, power in prefixes.items()
-    }
-    return made | {
-        "min": (Integer(60), {"s": 1}),
-        "h": (Integer(3600), {"s": 1}),
-        "d": (Integer(86400), {"s": 1}),
-        "l": (Rational(1, 1000), {"m": 3}),
-        "t": (Integer(1000), {"kg": 1}),
-        "°": (sympy.pi / 180, {}),
-        "%": (Rational(1, 100), {}),
-        "kg": (Integer(1), {"kg": 1}),
-        "sr": (Integer(1), {}),
-        "rpm": (2 * sympy.pi / 60, {"s": -1}),
-    }
-
-
-UNITS = _prefixed()
-"""Each unit with its factor and its powers of SI units."""
-
-
-def _basis(letter: Letter) -> MatrixBase | None:
-    """The fixed unit vector that a letter is by its name."""
-    for names in ("xyz", "ijk"):
-        if letter.base in names and not letter.sub and (letter.mark == "hat" or names == "ijk"):
-            return ImmutableMatrix([int(letter.base == x) for x in names])
-    if letter.base in "eu" and len(letter.sub) == 1:
-        for names in ("xyz", "123"):
-            if letter.sub in names and letter.mark in ("", "hat"):
-                return ImmutableMatrix([int(letter.sub == x) for x in names])
-    return None
-
-
 def _by(value: Value, place: Expr) -> Value:
     if not (place.is_Symbol and (place == TIME or jet_of(place) is not None)):
         raise UnclearError("a derivative by what is no free letter")
@@ -930,35 +810,4 @@ def _places(spans: Sequence[range]) -> list[tuple[int, ...]]:
     made: list[tuple[int, ...]] = [()]
     for span in spans:
         made = [(*each, k) for each in made for k in span]
-    return made
-
-
-def _size(value: Value) -> int:
-    entries = list(value) if isinstance(value, MatrixBase) else [value]
-    return sum(map(operations, entries))
-
-
-def _added(values: Sequence[Value]) -> Value:
-    matrices = [x for x in values if isinstance(x, MatrixBase)]
-    if not matrices:
-        return sympy.Add(*values)
-    if any(not isinstance(x, MatrixBase) and x != 0 for x in values):
-        raise UnclearError("a sum of a vector and a number")
-    if len({x.shape for x in matrices}) > 1:
-        raise UnclearError("a sum of different shapes")
-    return ImmutableMatrix(*matrices[0].shape, [sympy.Add(*x) for x in zip(*matrices, strict=True)])
-
-
-def _matrices(left: MatrixBase, right: MatrixBase) -> Value:
-    if left.shape[1] != right.shape[0]:
-        raise UnclearError("a product of vectors, or of matrices that do not fit")
-    made = left * right
-    return made[0, 0] if made.shape == (1, 1) else made
-
-
-def _multiplied(values: Sequence[Value]) -> Value:
-    made: Value = Integer(1)
-    for value in values:
-        both = isinstance(made, MatrixBase) and isinstance(value, MatrixBase)
-        made = _matrices(made, value) if both else made * value
     return made

@@ -12,7 +12,8 @@ from rigidtop.judge.context import FORCED, LAW, PREMISE, RULE, SETTING, Definiti
 from rigidtop.judge.faults import is_worked_out, slip
 from rigidtop.judge.jets import TIME, jet_of, jets, rate
 from rigidtop.judge.laws import LAGRANGIANS, highest, is_any, lagrange
-from rigidtop.judge.meaning import Meant, is_component, is_vector
+from rigidtop.judge.meaning import Meant
+from rigidtop.judge.names import is_component, is_vector
 from rigidtop.judge.outcome import DEFINITION, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes

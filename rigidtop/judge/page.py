@@ -31,7 +31,7 @@ from rigidtop.judge.ground import (
 )
 from rigidtop.judge.jets import Jet, jet_of, jets, symbol, symbols
 from rigidtop.judge.laws import Residual, related, surrounding
-from rigidtop.judge.meaning import UnclearError, pairs, particles, plain
+from rigidtop.judge.meaning import particles
 from rigidtop.judge.outcome import (
     DEFINITION,
     FALSE,
@@ -43,6 +43,7 @@ from rigidtop.judge.outcome import (
 )
 from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.spans import NoValueError, is_contradictory, span
+from rigidtop.judge.values import UnclearError, pairs, plain
 from rigidtop.judge.written import written
 from rigidtop.proof.derivation import Judged
 from rigidtop.proof.lecture import Lecture

@@ -12,10 +12,11 @@ from rigidtop.judge import worlds
 from rigidtop.judge.context import PREMISE, Constraint, Context, Definition
 from rigidtop.judge.jets import TIME, Jet, jets, rate, symbol
 from rigidtop.judge.laws import Residual, residuals
-from rigidtop.judge.meaning import Meant, plain
+from rigidtop.judge.meaning import Meant
 from rigidtop.judge.program import Program, UnknownFunctionError
 from rigidtop.judge.question import Pair, Path, Premises, Question
 from rigidtop.judge.sides import ZERO, letters_of, named, speaks_of
+from rigidtop.judge.values import plain
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 

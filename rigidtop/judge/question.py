@@ -14,19 +14,11 @@ from rigidtop.judge import worlds as w
 from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, Definition
 from rigidtop.judge.jets import Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import Residual, moved, residuals, surrounding
-from rigidtop.judge.meaning import (
-    LARGEST,
-    Meaning,
-    Memory,
-    UnclearError,
-    Value,
-    pairs,
-    particles,
-    plain,
-)
+from rigidtop.judge.meaning import LARGEST, Meaning, Memory, particles
 from rigidtop.judge.outcome import SAMPLED, Outcome
 from rigidtop.judge.sides import entries, letters_of, own_letters
 from rigidtop.judge.situation import Situation
+from rigidtop.judge.values import UnclearError, Value, pairs, plain
 from rigidtop.judge.worlds import Worlds
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node

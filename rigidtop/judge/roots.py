@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from rigidtop.judge import equality, faults
+from rigidtop.judge.counterexample import refuted
 from rigidtop.judge.definitions import definition
 from rigidtop.judge.jets import TIME
 from rigidtop.judge.novelties import brings
@@ -96,7 +97,7 @@ def _roots(question: Question) -> tuple[Outcome, Node] | None:
     if wrong is not None:
         return wrong.outcome, wrong.change.right
     if question.at.closed:
-        return faults.refuted(question), question.right
+        return refuted(question), question.right
     return Outcome(UNDECIDED, equality.DOES_NOT_FOLLOW), question.right
 
 

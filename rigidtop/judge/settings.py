@@ -12,7 +12,7 @@ from rigidtop.judge.context import PLACE, SETTING, Definition
 from rigidtop.judge.jets import TIME, Jet, jet_of
 from rigidtop.judge.numbers import are_numbers
 from rigidtop.judge.outcome import PREMISE, Outcome
-from rigidtop.judge.question import Judgement, Question, alone
+from rigidtop.judge.question import Judgement, Question
 from rigidtop.judge.sides import is_setting, is_start, letters_of, own_letters
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter
@@ -186,13 +186,7 @@ def chosen(question: Question) -> Judgement | None:
         return None
     asked = {x for pair in question.both for side in pair for x in side.free_symbols}
     own = {x for x in asked if (jet := jet_of(x)) is not None and is_own(question, jet)}
-    if own and _turned(question):
-        known = context.holding(question.constraint(SETTING))
-        if question.of(question.both, known).worlds.count:
-            return Outcome(PREMISE, "it is chosen", question.rests_on_meaning), known
-    named = alone(question.left) if isinstance(question.left, Letter) else None
-    is_name = named in own and not any(right.has(named) for _, right in question.both)
-    if not own or not (is_name or is_setting(question.left, question.right, context.definitions)):
+    if not own or not is_setting(question.left, question.right, context.definitions):
         return None
     if question.moves(*question.gaps):
         return None
@@ -204,14 +198,6 @@ def chosen(question: Question) -> Judgement | None:
         if not (timed and question.of(question.both, known).worlds.count):
             return None
     return Outcome(PREMISE, "it is chosen", question.rests_on_meaning), known
-
-
-def _turned(question: Question) -> bool:
-    """Whether it holds up to a sign, which a letter of the text's own may still have."""
-    if question.inner or len(question.both) != 1:
-        return False
-    [(left, right)] = question.both
-    return question.worlds.holds_one([(left, right), (left, -right)])
 
 
 def is_own(question: Question, jet: Jet) -> bool:

@@ -9,7 +9,8 @@ from sympy import Expr, MatrixBase
 from sympy.core.function import AppliedUndef
 
 from rigidtop.judge.jets import jets
-from rigidtop.judge.meaning import Value, function_name
+from rigidtop.judge.names import function_name
+from rigidtop.judge.values import Value
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.statement import Statement

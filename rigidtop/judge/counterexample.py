@@ -1,0 +1,56 @@
+"""A counterexample: numbers of a world in which a statement does not hold."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+import numpy as np
+from numpy.typing import NDArray
+from sympy import Expr
+
+from rigidtop.judge import worlds as w
+from rigidtop.judge.outcome import FALSE, Outcome
+from rigidtop.judge.program import UnknownFunctionError
+from rigidtop.judge.question import Question
+from rigidtop.judge.values import UnclearError
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter
+from rigidtop.tree.plain import plain as in_words
+
+MOST_NUMBERS = 8
+"""No more numbers are told."""
+
+
+def refuted(question: Question) -> Outcome:
+    """That it fails in a world, with the numbers of its letters and of both sides there."""
+    letters = _numbered(question)
+    for left, right in question.both:
+        try:
+            values = question.worlds.program.values([*letters.values(), left, right]).values.real
+        except UnknownFunctionError:
+            break
+        fails = [k for k in range(question.worlds.count) if not _agree(values[-2:, k])]
+        if fails:
+            *numbers, here, there = values[:, fails[0]]
+            told = [f"{x} = {v:.3g}" for x, v in zip(letters, numbers, strict=True)]
+            where = f"at {', '.join(told[:MOST_NUMBERS])}: " if told else ""
+            both = f"the left side is {here:.4g}, the right side {there:.4g}"
+            return Outcome(FALSE, (where + both).replace("-", "−"), question.rests_on)
+    return Outcome(FALSE, "it does not hold", question.rests_on)
+
+
+def _numbered(question: Question) -> dict[str, Expr]:
+    """The letters and rates that stand in it and have a number in its worlds."""
+    meaning, numbered = question.meaning(), dict[str, Expr]()
+    for node in (x for side in (question.left, question.right) for x in n.walked(side)):
+        if isinstance(node, Letter) or (isinstance(node, n.Rate) and node.dotted):
+            with suppress(UnclearError):
+                value = meaning.scalar(node)
+                if value.free_symbols <= {*question.worlds.letters}:
+                    numbered[in_words(node)] = value
+    return numbered
+
+
+def _agree(pair: NDArray[np.float64]) -> bool:
+    """Whether two numbers differ by no more than rounding."""
+    return bool(abs(pair[0] - pair[1]) <= w.CLOSE * (abs(pair[0]) + abs(pair[1]) + w.CLOSE))

@@ -1,0 +1,98 @@
+"""Expressions, and matrices of them: their sums and products, and how two of them are compared."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import Any
+
+import sympy
+from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Symbol
+from sympy.core.function import AppliedUndef
+
+from rigidtop.judge.jets import operations
+
+Value = Any
+"""An expression, or a matrix of expressions."""
+
+
+class UnclearError(Exception):
+    """Why a formula has no meaning that could be judged."""
+
+
+def plain(expressions: Sequence[Expr]) -> list[Expr]:
+    """Unknown functions and their slopes as numbers of their own, alike in all expressions."""
+    return [_plain(sympy.sympify(x)) for x in expressions]
+
+
+@lru_cache(maxsize=100_000)
+def _plain(expression: Expr) -> Expr:
+    """The same; each part of an expression is looked at once."""
+    if isinstance(expression, (AppliedUndef, sympy.Derivative, sympy.Subs)):
+        return Symbol(f"f({sympy.srepr(expression)})", real=True)
+    parts = [_plain(x) for x in expression.args]
+    same = all(x is y for x, y in zip(parts, expression.args, strict=True))
+    return expression if same else expression.func(*parts)
+
+
+def pairs(left: Value, right: Value) -> list[tuple[Expr, Expr]]:
+    """Both sides, entry by entry.  Raises UnclearError where they are not of one kind."""
+    if isinstance(left, MatrixBase) or isinstance(right, MatrixBase):
+        if right == 0 and isinstance(left, MatrixBase):
+            right = sympy.zeros(*left.shape)
+        if left == 0 and isinstance(right, MatrixBase):
+            left = sympy.zeros(*right.shape)
+        left, right = unit_times(left, right), unit_times(right, left)
+        if not (isinstance(left, MatrixBase) and isinstance(right, MatrixBase)):
+            raise UnclearError("one side is a number, the other is none")
+        if left.shape != right.shape and left.shape == right.shape[::-1]:
+            right = right.T
+        if left.shape != right.shape:
+            raise UnclearError("the sides have different shapes")
+        return list(zip(left, right, strict=True))
+    return [(left, right)]
+
+
+def unit_times(value: Value, other: Value) -> Value:
+    """A number as that multiple of the unit matrix that the other side is; 1 × 1 is a number."""
+    if isinstance(value, MatrixBase) or not isinstance(other, MatrixBase):
+        return value
+    rows, columns = other.shape
+    return value * sympy.eye(rows) if rows == columns else value
+
+
+def length(value: Value) -> Expr:
+    if isinstance(value, MatrixBase):
+        return sympy.sqrt(value.dot(value))
+    return sympy.Abs(value)
+
+
+def size(value: Value) -> int:
+    entries = list(value) if isinstance(value, MatrixBase) else [value]
+    return sum(map(operations, entries))
+
+
+def added(values: Sequence[Value]) -> Value:
+    matrices = [x for x in values if isinstance(x, MatrixBase)]
+    if not matrices:
+        return sympy.Add(*values)
+    if any(not isinstance(x, MatrixBase) and x != 0 for x in values):
+        raise UnclearError("a sum of a vector and a number")
+    if len({x.shape for x in matrices}) > 1:
+        raise UnclearError("a sum of different shapes")
+    return ImmutableMatrix(*matrices[0].shape, [sympy.Add(*x) for x in zip(*matrices, strict=True)])
+
+
+def matrix_product(left: MatrixBase, right: MatrixBase) -> Value:
+    if left.shape[1] != right.shape[0]:
+        raise UnclearError("a product of vectors, or of matrices that do not fit")
+    made = left * right
+    return made[0, 0] if made.shape == (1, 1) else made
+
+
+def multiplied(values: Sequence[Value]) -> Value:
+    made: Value = Integer(1)
+    for value in values:
+        both = isinstance(made, MatrixBase) and isinstance(value, MatrixBase)
+        made = matrix_product(made, value) if both else made * value
+    return made
