@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from functools import partial
 
 import numpy as np
-from scipy.optimize import minimize_scalar
 
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import Parameter
@@ -41,6 +40,8 @@ def spin(tilt: float, omega3: float, **body: float) -> Iterator[Outcome]:
     r"""(4.6) and (4.7); it hangs where $U$ is least, with the $J_0$ of (1.7),
     $\lambda_3\omega_3(r\cos\theta_0 - h)$. It is integrated with a viscous friction, and so is one
     with a tenth less spin than (4.6) asks for."""
+    from scipy.optimize import minimize_scalar
+
     top = tippe_top(**body)
     r, h = top.tip, top.tip - top.R
     upright, head = top.lambda1 * r - top.lambda3 * (r - h), top.lambda3 * (r + h) - top.lambda1 * r

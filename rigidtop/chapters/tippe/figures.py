@@ -25,12 +25,12 @@ LID = 0.65
 """Where the ball is cut off, from its axis (rad)."""
 
 
-def draw_contact(axes: Axes, tilt: float, share: float) -> None:
+def draw_contact(axes: Axes, tilt: float) -> None:
     """The ball in the plane of its axis and the vertical; the radius is 1, the contact at 0."""
     edge = np.linspace(math.pi / 2 - tilt + LID, 5 * math.pi / 2 - tilt - LID, 181)
     axis = np.array([math.sin(tilt), math.cos(tilt)])
     middle, touch = np.array([0.0, 1.0]), (0.0, 0.0)
-    centre = middle - share * axis
+    centre = middle - 0.3 * axis
     turn = np.linspace(0.0, tilt, 31)
     arc = 1.25 * np.sin(turn), 1 + 1.25 * np.cos(turn)
     parts: list[pen.Part] = [
@@ -57,16 +57,13 @@ CONTACT = Drawing(
     "contact",
     "The tippe top and its point of contact",
     "1",
-    (
-        Parameter("tilt", math.radians(35), "tilt", "rad", least=0.2, most=1.3),
-        Parameter("share", 0.3, "$h$ by $r$", least=0.15, most=0.6),
-    ),
+    (Parameter("tilt", math.radians(35), "tilt", "rad", least=0.2, most=1.3),),
     pen.alone(2.9, lambda axes, **values: draw_contact(axes, **values)),
-    r"The axis leans by $\theta = {tilt:°}$, and $h = {share}\,r$. Black: the centre of mass; "
-    "white: the middle of the ball. The contact slides into the paper; friction points out of it.",
+    r"The axis leans by $\theta = {tilt:°}$. Black: the centre of mass; white: the middle of the "
+    "ball. The contact slides into the paper; friction points out of it.",
     "A ball with its top cut off stands on a table, its axis e at {tilt:°} degrees from the "
-    "vertical n. Its centre of mass is on the axis, {share} radii below the middle; from it the "
-    "arrow q goes to the point of contact, where the table pushes up and friction points at us.",
+    "vertical n. From its centre of mass, on the axis below the middle, the arrow q goes to the "
+    "point of contact, where the table pushes up and friction points at us.",
 )
 
 # --- The rise ------------------------------------------------------------------------------------

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 from rigidtop.errors import RigidtopError
-from rigidtop.motion.table.motion import SlidingTop
+
+if TYPE_CHECKING:
+    from rigidtop.motion.table.motion import SlidingTop
 
 UNIT = 0.02 * 0.02**2
 USUAL = {"M": 0.02, "r": 0.02, "h": 0.006, "lambda1": 131 / 350 * UNIT, "lambda3": 0.4 * UNIT}
@@ -16,6 +19,8 @@ def tippe_top(
     M: float, r: float, h: float, lambda1: float, lambda3: float, f: float = 0.1
 ) -> SlidingTop:
     """The top in the letters of the pages, in SI units; its friction is −f v."""
+    from rigidtop.motion.table.motion import SlidingTop  # which no page needs
+
     if h >= r:
         raise RigidtopError(f"h = {h:g} must be less than r = {r:g}")
     moments = {"lambda1": lambda1, "lambda3": lambda3}
