@@ -65,6 +65,15 @@ SLIPS = {
         ),
         ("turntable", r"\frac{49}{4\Omega^2}", r"\frac7{2\Omega^2}"),
     ),
+    "tippe": (
+        ("jellett", r"\mathbf n - f\mathbf q", r"\mathbf n + f\mathbf q"),
+        ("jellett", r"\dot J = -\dot{\mathbf q}", r"\dot J = \dot{\mathbf q}"),
+        ("energy", r"\dot E = -f\,\mathbf v", r"\dot E = f\,\mathbf v"),
+        ("ends", r"\Omega_2 = \frac{h_1}{h_2}", r"\Omega_2 = \frac{h_2}{h_1}"),
+        ("over", r"\tfrac12\lambda_3(\mathbf e", r"\tfrac12\lambda_1(\mathbf e"),
+        ("over", r"(\lambda_3h_2 - \lambda_1r)$$", r"(\lambda_3h_2 + \lambda_1r)$$"),
+        ("over", r"\frac{Mgh_2^4}{\lambda_3rh_1^2}", r"\frac{Mgh_2^4}{\lambda_3rh_1^4}"),
+    ),
 }
 """Lines of each chapter, by their pages, with what a pen may make of them."""
 

@@ -24,6 +24,12 @@ NUMBERS = {
     ("foucault", "pantheon"): {"round": 31.8 * 3600, "period": 16.42},
     ("rolling", "race"): {"hoop": 1.544, "ball": 1.292, "rough": math.tan(math.radians(20)) / 2},
     ("rolling", "turntable"): {"time": 7.0, "radius": 0.35 / math.pi},
+    # The last by Rauch-Wojciechowski and Rutstam, SIGMA 10 (2014) 017: their threshold of J.
+    ("tippe", "spin"): {
+        "least": 27.65,
+        "whole": 1.3**2 / 0.7 * math.sqrt(147.15 / (1.3 - 131 / 140) / 0.4),
+    },
+    ("tippe", "over"): {"rise": 0.01197, "rate": 160 * (math.cos(0.1) - 0.3) / 1.3},
 }
 """From tables, or by hand."""
 
@@ -36,6 +42,8 @@ OTHERS = {
     ("foucault", "pantheon"): {"length": 5.0, "A": 0.2, "latitude": 1.2},
     ("rolling", "race"): {"slope": 1.0, "R": 0.5},
     ("rolling", "turntable"): {"turn": 0.7, "d": 0.0},
+    ("tippe", "spin"): {"h": 0.005, "omega3": 50.0},
+    ("tippe", "over"): {"h": 0.005, "tilt": 0.2},
 }
 
 

@@ -144,6 +144,18 @@ def test_the_ball_keeps_its_distance_and_its_path_on_the_table_closes():
     assert np.abs(path[150] - path[0]).max() > 0.1
 
 
+def test_a_tippe_top_keeps_what_jellett_found_and_never_has_less_energy_than_the_least():
+    figures, top = beside("tippe", "figures"), beside("tippe", "top")
+    run = figures.risen(155.0, 0.2)
+    assert run.theta[-1] > 3
+    np.testing.assert_allclose(run.jellett, run.jellett[0], rtol=1e-9)
+    least = [top.least_energy(run.motion.body, run.jellett[0], tilt) for tilt in run.theta]
+    assert (run.energy > least).all()
+    assert run.energy[-1] < 1.01 * least[-1]
+    assert (np.diff(run.energy) <= 1e-12).all()
+    assert figures.risen(20.0, 0.2).theta[-1] < figures.START
+
+
 def test_a_wheel_has_the_share_of_the_acceleration_that_its_caption_says():
     rolling = beside("rolling", "rolling")
     for ratio in (1.0, 0.5, 0.4):
