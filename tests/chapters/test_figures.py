@@ -165,15 +165,14 @@ def test_paths_on_the_sphere_are_those_of_the_motion():
 def test_what_tumbles_is_the_other_way_round_after_each_wait():
     figures = beside("freebody", "figures")
     moments = {"lambda1": 1.0, "lambda2": 2.0, "lambda3": 3.0}
-    _, run = figures.tumbling(0.01, np.arange(4) / 3, **moments)
-    np.testing.assert_allclose(run.omega[:, 1], [1, -1, 1, -1], rtol=1e-9)
+    run = figures.tumbling(figures.path_of(0.01, **moments), np.arange(4) / 3)
+    np.testing.assert_allclose(run.omega[:, 1], [1, -1, 1, -1], rtol=1e-7)
     np.testing.assert_allclose(figures.attitudes(run)[:, 1, 1], [1, -1, 1, -1], atol=1e-3)
 
 
 def test_the_angle_that_is_left_over_needs_its_solid_angle():
-    path = beside("freebody", "bodies").Path
-    top = beside("freebody", "bodies").body(1.0, 2.0, 3.0)
+    bodies = beside("freebody", "bodies")
     # Near the axis the path is an ellipse, whose half axes are as those of (1.6).
-    narrow = path(top, 3e-3, 1.0)
+    narrow = bodies.Path.started(bodies.body(1.0, 2.0, 3.0), 3e-3, 1.0)
     ellipse = math.pi * 1e-3 * (2 / 3 * narrow.a2)
     assert narrow.solid_angle == pytest.approx(ellipse, rel=1e-4)

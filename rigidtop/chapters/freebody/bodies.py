@@ -25,45 +25,44 @@ def body(lambda1: float, lambda2: float, lambda3: float) -> FreeBody:
 
 @dataclass(frozen=True)
 class Path:
-    """A path about e₃ that starts with ω₁ = `a1`, ω₂ = 0 and ω₃ = `a3` (rad/s)."""
+    """A path about e₃ on which (0, `a2`, `push`) lies (rad/s)."""
 
     body: FreeBody
-    a1: float
-    a3: float
+    a2: float
+    push: float
 
     @classmethod
-    def pushed(cls, body: FreeBody, a2: float, push: float) -> Path:
-        """That on which ω = (0, a₂, δ) lies, by (1.6) and (1.7)."""
-        first, middle, third = body.moments
-        a1 = a2 * math.sqrt(middle * (third - middle) / (first * (third - first)))
-        ratio = middle * (middle - first) / (third * (third - first))
-        return cls(body, a1, math.sqrt(ratio * a2**2 + push**2))
+    def started(cls, body: FreeBody, a1: float, a3: float) -> Path:
+        """That on which (a₁, 0, a₃) lies.  Raises RigidtopError where it is not about e₃."""
+        one, two, three = body.moments
+        a2 = a1 * math.sqrt(one * (three - one) / (two * (three - two)))  # (1.6)
+        square = a3**2 - a2**2 * two * (two - one) / (three * (three - one))  # (1.7)
+        if square <= 0:
+            raise RigidtopError("this path is not about e3: a larger a3 or a smaller a1 is wanted")
+        return cls(body, a2, math.sqrt(square))
 
     @property
-    def a2(self) -> float:
-        """The largest ω₂ (rad/s), by (1.6)."""
-        first, middle, third = self.body.moments
-        return self.a1 * math.sqrt(first * (third - first) / (middle * (third - middle)))
+    def a1(self) -> float:
+        """ω₁ where ω₂ = 0 (rad/s), by (1.6)."""
+        one, two, three = self.body.moments
+        return self.a2 * math.sqrt(two * (three - two) / (one * (three - one)))
+
+    @property
+    def a3(self) -> float:
+        """ω₃ where ω₂ = 0 (rad/s), by (1.7)."""
+        one, two, three = self.body.moments
+        return math.sqrt(two * (two - one) / (three * (three - one)) * self.a2**2 + self.push**2)
 
     @property
     def p(self) -> float:
         """(3.2), in 1/s."""
-        first, middle, third = self.body.moments
-        return self.a3 * math.sqrt((third - first) * (third - middle) / (first * middle))
-
-    @property
-    def rest(self) -> float:
-        """1 − m, by (3.3)."""
-        first, middle, third = self.body.moments
-        inner, outer = first * (middle - first), third * (third - middle)
-        return 1 - inner * self.a1**2 / (outer * self.a3**2)
+        one, two, three = self.body.moments
+        return self.a3 * math.sqrt((three - one) * (three - two) / (one * two))
 
     @property
     def period(self) -> float:
-        """(3.4), in s.  Raises RigidtopError for a path that is not about e₃."""
-        if self.rest <= 0:
-            raise RigidtopError("this path is not about e3: a larger a3 or a smaller a1 is wanted")
-        return 4 * float(ellipkm1(self.rest)) / self.p
+        """(3.4), in s; 1 − m is k'², the square of δ/a₃."""
+        return 4 * float(ellipkm1((self.push / self.a3) ** 2)) / self.p
 
     def momentum(self, samples: int) -> Floats:
         """The tip of 𝐋 in the body (N, 3) at equal steps of an angle, once round (J s)."""

@@ -36,11 +36,11 @@ def turnover(a2: float, push: float, **moments: float) -> Iterator[Outcome]:
     integrated besides, from one end of its wait to that of the next."""
     from .bodies import Path, body
 
-    path = Path.pushed(body(**moments), a2, push)
+    path = Path(body(**moments), a2, push)
     time = path.period / 2
     yield Answer("time", "time from one flip to the next", time, "s")
     yield Answer("log", "the same by the logarithm", 2 / path.p * math.log(4 * path.a3 / push), "s")
-    weaker = Path.pushed(path.body, a2, push / 10).period / 2
+    weaker = Path(path.body, a2, push / 10).period / 2
     yield Answer("longer", "how much longer with a tenth of the push", weaker - time, "s")
     end = path.body.motion(omega=(0.0, a2, push)).integrate([time]).omega[0]
     wrong = max(abs(float(x) - y) for x, y in zip(end, (0.0, -a2, push), strict=True))
@@ -70,7 +70,7 @@ def whole_turn(a1: float, a3: float, **moments: float) -> Iterator[Outcome]:
 
     from .bodies import Path, body
 
-    path = Path(body(**moments), a1, a3)
+    path = Path.started(body(**moments), a1, a3)
     motion = path.body.motion(omega=(a1, 0.0, a3))
     start = motion.start()
     momentum = start.angular_momentum[0]

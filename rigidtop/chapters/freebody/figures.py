@@ -31,7 +31,7 @@ BETWEEN = 3
 def about_third(top: FreeBody, angle: float) -> Floats:
     """The path (N, 3) of 𝐋 on the unit sphere that starts at an angle from 𝐞₃, towards 𝐞₁."""
     first, _, third = top.moments
-    return Path(top, math.sin(angle) / first, math.cos(angle) / third).momentum(361)
+    return Path.started(top, math.sin(angle) / first, math.cos(angle) / third).momentum(361)
 
 
 def edge(top: FreeBody) -> float:
@@ -90,12 +90,15 @@ FLIPS, BOXES, APART = 3, 7, 2.6
 FRONT = View(azimuth=0.0, elevation=0.3)
 
 
-def tumbling(push: float, shares: Floats, **moments: float) -> tuple[Floats, Trajectory]:
-    """Times by 2π/a₂, and the motion then; 1 is the end of the last wait."""
-    path = Path.pushed(body(**moments), 1.0, push)
-    times = shares * FLIPS * path.period / 2
-    run = path.body.motion(omega=(0.0, 1.0, push)).exact(times)
-    return times / (2 * math.pi), run
+def path_of(push: float, **moments: float) -> Path:
+    """Of a body that is spun with a₂ = 1 rad/s."""
+    return Path(body(**moments), 1.0, push)
+
+
+def tumbling(path: Path, shares: Floats) -> Trajectory:
+    """The motion from the middle of a wait; a share of 1 is the end of the last wait."""
+    motion = path.body.motion(omega=(0.0, path.a2, path.push))
+    return motion.exact(shares * FLIPS * path.period / 2)
 
 
 def attitudes(run: Trajectory) -> Floats:
@@ -128,7 +131,7 @@ def half_edges(moments: dict[str, float]) -> Floats:
 
 def draw_boxes(axes: Axes, push: float, shares: Floats, **moments: float) -> None:
     """The body at some moments, from the left to the right."""
-    _, run = tumbling(push, np.concatenate([[0.0], shares]), **moments)
+    run = tumbling(path_of(push, **moments), np.concatenate([[0.0], shares]))
     parts: list[pen.Part] = []
     for k, turned in enumerate(attitudes(run)[1:]):
         parts += box(turned, half_edges(moments), np.array([0.0, APART * k, 0.0]))
@@ -138,16 +141,17 @@ def draw_boxes(axes: Axes, push: float, shares: Floats, **moments: float) -> Non
 
 def draw_rates(axes: Axes, push: float, until: float = 1.0, **moments: float) -> None:
     """ω₁, ω₂ and ω₃ by a₂, until a share of the time."""
-    times, run = tumbling(push, until * np.linspace(0.0, 1.0, 901), **moments)
-    last = tumbling(push, np.ones(1), **moments)[0][0]
+    path = path_of(push, **moments)
+    run = tumbling(path, until * np.linspace(0.0, 1.0, 901))
     styles = (look.SECOND, look.DASH_DOT), (look.FIRST, "-"), (look.INK, look.DASHED)
     parts: list[pen.Part] = [pen.Rule(y=0.0, color=look.RULE, lw=0.6, ls="-")]
     for k, (rate, (color, ls)) in enumerate(zip(run.omega.T, styles, strict=True)):
-        parts.append(pen.Curve((times, rate), color, ls=ls, label=rf"$\omega_{k + 1}/a_2$"))
+        parts.append(
+            pen.Curve((run.t / (2 * math.pi), rate), color, ls=ls, label=rf"$\omega_{k + 1}/a_2$")
+        )
     pen.draw(axes, parts)
-    axes.set(xlim=(0, last), xlabel=r"time  (turns, $2\pi/a_2$)")
-    most = 1.05 * max(1.0, *np.abs(tumbling(push, np.linspace(0, 1, 301), **moments)[1].omega.T[0]))
-    axes.set_ylim(-most, most)
+    last, most = FLIPS * path.period / (4 * math.pi), 1.05 * max(1.0, path.a1, path.a3)
+    axes.set(xlim=(0, last), ylim=(-most, most), xlabel=r"time  (turns, $2\pi/a_2$)")
     pen.legend_above(axes, ncols=3)
 
 
@@ -177,7 +181,7 @@ def _film(**values: float) -> Film:
 
 
 def _facts(push: float, **moments: float) -> dict[str, Any]:
-    path = Path.pushed(body(**moments), 1.0, push)
+    path = path_of(push, **moments)
     log = 2 / path.p * math.log(4 * path.a3 / push)
     return {"turns": path.period / (4 * math.pi), "log": log / (2 * math.pi)}
 
