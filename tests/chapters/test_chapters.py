@@ -38,6 +38,24 @@ SLIPS = {
         ("pendulum", r"X = A\cos\omega_1t", r"X = A\cos\omega_0t"),
         ("pendulum", r"y = -A\cos\omega_1t", r"y = A\cos\omega_1t"),
     ),
+    "freebody": (
+        (
+            "euler",
+            r"\dot\omega_2 = (\lambda_3 - \lambda_1)",
+            r"\dot\omega_2 = (\lambda_1 - \lambda_3)",
+        ),
+        ("euler", r"\lambda_2)a_3^2 - \lambda_1", r"\lambda_2)a_3^2 + \lambda_1"),
+        ("axes", r"\omega_2^2 - \frac{", r"\omega_2^2 + \frac{"),
+        ("axes", r"\approx -\nu^2\omega_2", r"\approx \nu^2\omega_2"),
+        ("axes", r"\dot\omega_3 \approx 0", r"\dot\omega_3 \approx \omega_1"),  # no claim needs it
+        ("jacobi", r"= -pmsc \tag", r"= -pm^2sc \tag"),
+        ("jacobi", r"\frac{4K(m)}p", r"\frac{2K(m)}p"),
+        ("flip", r"\tanh pt", r"\tanh^2pt"),
+        ("flip", r"(1 + y^2)(1 + k'^2y^2)", r"(1 + y^2)(1 - k'^2y^2)"),
+        ("flip", r"\ln\frac4{k'}", r"\ln\frac2{k'}"),
+        ("phase", r"\frac{2E}L + \dot\beta\cos", r"\frac EL + \dot\beta\cos"),
+        ("phase", r"- \Omega + 2\pi", r"+ \Omega + 2\pi"),
+    ),
     "kepler": (
         ("orbit", r"= mr\dot\phi^2 - \frac k{r^2}", r"= mr\dot\phi^2 + \frac k{r^2}"),
         ("orbit", r"= -\frac{\dot r}{r^2\dot\phi}", r"= \frac{\dot r}{r^2\dot\phi}"),

@@ -22,6 +22,9 @@ NUMBERS = {
     ("coupled", "three"): {"slowest": math.sqrt(9.81), "fastest": math.sqrt(9.81 + 3 * 1.2)},
     ("foucault", "tower"): {"time": 5.676, "east": 0.0259},
     ("foucault", "pantheon"): {"round": 31.8 * 3600, "period": 16.42},
+    # K(0.2) = 1.65962 in tables.
+    ("freebody", "whole-turn"): {"period": 5.4203, "clock": 11 / math.sqrt(26) * 5.4203},
+    ("freebody", "turnover"): {"longer": 2 * math.log(10) * math.sqrt(5) / (2 * math.pi)},
     ("rolling", "race"): {"hoop": 1.544, "ball": 1.292, "rough": math.tan(math.radians(20)) / 2},
     ("rolling", "turntable"): {"time": 7.0, "radius": 0.35 / math.pi},
     # The last by Rauch-Wojciechowski and Rutstam, SIGMA 10 (2014) 017: their threshold of J.
@@ -40,6 +43,8 @@ OTHERS = {
     ("coupled", "three"): {"D": 5.0, "m": 2.0},
     ("foucault", "tower"): {"height": 20.0, "latitude": -0.6},
     ("foucault", "pantheon"): {"length": 5.0, "A": 0.2, "latitude": 1.2},
+    ("freebody", "whole-turn"): {"lambda2": 1.6, "lambda3": 2.0, "a3": 2.7},
+    ("freebody", "turnover"): {"lambda3": 2.6, "push": 0.3},
     ("rolling", "race"): {"slope": 1.0, "R": 0.5},
     ("rolling", "turntable"): {"turn": 0.7, "d": 0.0},
     ("tippe", "spin"): {"h": 0.005, "omega3": 50.0},

@@ -162,3 +162,29 @@ def test_a_wheel_has_the_share_of_the_acceleration_that_its_caption_says():
         run = rolling.down(ratio, 0.3, 2.0, 0.1, 9.81).integrate([1.0])
         assert run.qdot[0, 0] == pytest.approx(9.81 * math.sin(0.3) / (1 + ratio), rel=1e-9)
         assert run.q[0, 0] == pytest.approx(0.1 * run.q[0, 1], rel=1e-9)
+
+
+def test_paths_on_the_sphere_are_those_of_the_motion():
+    figures, bodies = beside("freebody", "figures"), beside("freebody", "bodies")
+    top = bodies.body(1.0, 2.0, 2.6)
+    for path in figures.paths(top):
+        run = top.motion(omega=path[40] / top.moments).integrate(np.linspace(0.0, 3.0, 7))
+        tips = run.omega * top.moments
+        away = np.linalg.norm(tips[:, None] - path, axis=2).min(axis=1)
+        assert away.max() < np.linalg.norm(np.diff(path, axis=0), axis=1).max()
+
+
+def test_what_tumbles_is_the_other_way_round_after_each_wait():
+    figures = beside("freebody", "figures")
+    moments = {"lambda1": 1.0, "lambda2": 2.0, "lambda3": 3.0}
+    run = figures.tumbling(figures.path_of(0.01, **moments), np.arange(4) / 3)
+    np.testing.assert_allclose(run.omega[:, 1], [1, -1, 1, -1], rtol=1e-7)
+    np.testing.assert_allclose(figures.attitudes(run)[:, 1, 1], [1, -1, 1, -1], atol=1e-3)
+
+
+def test_the_angle_that_is_left_over_needs_its_solid_angle():
+    bodies = beside("freebody", "bodies")
+    # Near the axis the path is an ellipse, whose half axes are as those of (1.6).
+    narrow = bodies.Path.started(bodies.body(1.0, 2.0, 3.0), 3e-3, 1.0)
+    ellipse = math.pi * 1e-3 * (2 / 3 * narrow.a2)
+    assert narrow.solid_angle == pytest.approx(ellipse, rel=1e-4)
