@@ -34,6 +34,7 @@ from rigidtop.proof.moves import (
     perform,
     put_in,
     where_set,
+    with_rates,
 )
 from rigidtop.proof.values import (
     TIME,
@@ -63,6 +64,19 @@ def arrive(
     performed = perform(move, letters) if performed is None else performed
     if move.verb == "integrate over":
         return _over(equations, move, letters, performed)
+    try:
+        return _arrived(equations, move, letters, performed)
+    except RefusedError:
+        further = with_rates(performed, move, letters)
+        if further is None:
+            raise
+        return _arrived(equations, move, letters, further)
+
+
+def _arrived(
+    equations: Sequence[Equation], move: Move, letters: Letters, performed: Performed
+) -> Performed:
+    """What was performed, if the equations are that.  Raises RefusedError."""
     algebra = Algebra(letters, performed.given)
     given = performed.given
     # What alone stands there may be the right side of what is set.

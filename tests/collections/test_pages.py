@@ -284,3 +284,50 @@ def test_the_pages_that_come_with_rigidtop_have_none():
     for page in root.rglob("*.md"):
         source = page.read_text("utf-8")
         assert [*faults(source, [*names, *places(source)])] == [], page
+
+
+MOMENTUM = r"""# 3 Free
+
+| letter | meaning | unit | kind |
+| ------ | ------- | ---- | ---- |
+| $m$ | mass | kg | positive |
+| $v$ | velocity | m/s | coordinate |
+| $p$ | momentum | kg m/s | coordinate |
+
+## Laws
+
+Definition. The momentum:
+
+$$p = mv$$
+
+Newton 1687. Along the motion, the law of the free body:
+
+$$\dot p = 0$$
+
+## It goes on
+
+Rewrite the law of the free body:
+
+$$\dot p = 0$$
+
+Substitute the momentum into it:
+
+$$m\dot v = 0 \tag{3.1}$$
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        ("", "", ""),
+        (r"m\dot v = 0", r"m\dot v = m\ddot vv/\dot v", "it gives mv̇ = 0"),
+        ("| $m$ | mass | kg | positive |", "| $m$ | mass | kg | |", "it gives mv̇ + vṁ = 0"),
+        ("Definition. The momentum:", "Definition. At the moment, the momentum:", "it gives ṗ = 0"),
+    ],
+)
+def test_a_value_is_put_in_under_a_time_derivative(tmp_path, capsys, old, new, why):
+    (tmp_path / "free.md").write_text(MOMENTUM.replace(old, new, 1) if old else MOMENTUM, "utf-8")
+    assert main(["check", f"{tmp_path}/", "--lines", "--json"]) == (1 if why else 0)
+    last = json.loads(capsys.readouterr().out)[-1]
+    assert (last["verdict"] == "follows") == (not why)
+    assert why in last["note"]
