@@ -331,3 +331,69 @@ def test_a_value_is_put_in_under_a_time_derivative(tmp_path, capsys, old, new, w
     last = json.loads(capsys.readouterr().out)[-1]
     assert (last["verdict"] == "follows") == (not why)
     assert why in last["note"]
+
+
+def diagonal(*entries):
+    """A matrix in LaTeX that is 0 beside its diagonal."""
+    zeros = range(len(entries))
+    rows = (" & ".join(x if i == k else "0" for i in zeros) for k, x in enumerate(entries))
+    return r"\begin{pmatrix}" + r" \\ ".join(rows) + r"\end{pmatrix}"
+
+
+MATRICES = rf"""# 4 Matrices
+
+| letter | meaning | unit | kind |
+| ------ | ------- | ---- | ---- |
+| $a$ | length | m | number |
+| $b$ | width | m | number |
+| $A$ | matrix | m | matrix |
+
+## Laws
+
+Definition. The lengths:
+
+$$A = {diagonal(*"aaaaaa")}$$
+
+Definition. The square:
+
+$${diagonal(*"aaaaaa")} = {diagonal(*"bbbbbb")}$$
+
+## What is wrong
+
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "why"),
+    [
+        (
+            f"Rewrite the lengths:\n\n$$A = {diagonal(*'baaaaa')}$$",
+            ": in row 1, column 1 it gives a, the line has b",
+        ),
+        (
+            f"Rewrite the square:\n\n$${diagonal(*'aaaaaa')} = {diagonal('2b', *'bbbbb')}$$",
+            ": in row 1, column 1 it gives b, the line has 2b",
+        ),
+        (
+            f"Rewrite the square:\n\n$${diagonal('3a', *'aaaaa')} = {diagonal(*'bbbbbb')}$$",
+            ": in row 1, column 1 it gives a = b, the line has 3a = b",
+        ),
+        (
+            f"Rewrite the lengths:\n\n$$2A = {diagonal(*'aaaaaa')}$$",
+            ": it gives A with these entries and else zeros; a in row 1, column 1; "
+            + "; ".join(f"a in row {k}, column {k}" for k in range(2, 7)),
+        ),
+        (
+            f"Rewrite the lengths:\n\n$$A = {diagonal(*'bbbbbb')} + {diagonal(*'bbbbbb')}"
+            r"\begin{pmatrix}" + r" \\ ".join(["1 & 1 & 1 & 1 & 1 & 1"] * 6) + r"\end{pmatrix}$$",
+            ": in row 1, column 1 it gives a, the line has 2b; "
+            + "".join(f"in row 1, column {k} it gives 0, the line has b; " for k in range(2, 7))
+            + "…",
+        ),
+    ],
+)
+def test_of_matrices_is_told_what_differs(tmp_path, capsys, line, why):
+    (tmp_path / "matrices.md").write_text(f"{MATRICES}{line}\n", "utf-8")
+    assert main(["check", f"{tmp_path}/", "--lines", "--json"]) == 1
+    last = json.loads(capsys.readouterr().out)[-1]
+    assert last["note"] == f"the move does not arrive here{why}"
