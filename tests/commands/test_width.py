@@ -18,6 +18,17 @@ and not $m\ddot x = kx$.
 """
 
 
+@pytest.mark.parametrize("width", [40, 60, 72, 80])
+@pytest.mark.parametrize("command", ["", *COMMANDS])
+def test_help_is_no_wider_than_the_terminal(monkeypatch, capsys, command, width):
+    monkeypatch.setenv("COLUMNS", str(width))
+    with suppress(SystemExit):
+        main([command, "--help"] if command else ["--help"])
+    text = capsys.readouterr().out
+    assert text.startswith("usage: rigidtop")
+    assert [line for line in text.splitlines() if columns(line) > width] == []
+
+
 EXAMPLES = ("simulate", "new", "mark", "audit")
 
 
