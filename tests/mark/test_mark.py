@@ -100,6 +100,35 @@ def test_a_name_that_is_none_is_refused():
         mark("", "x", "3.53")
 
 
+COEFFICIENTS = r"a = \lambda_1\cos\theta$, $b = -\lambda_3\omega_3$ and $c = MgR"
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        rf"It is $a\Omega^2 + b\Omega + c = 0$ with ${COEFFICIENTS}$.",
+        rf"It is $$a\Omega^2 + b\Omega + c = 0$$ where ${COEFFICIENTS}$.",
+        rf"$$a\Omega^2 + b\Omega + c = 0$$ Here ${COEFFICIENTS}$.",
+        r"$$a\Omega^2 + b\Omega + c = 0,\quad "
+        + COEFFICIENTS.replace("$ and $", ",\\ ").replace("$, $", ",\\ ")
+        + "$$",
+    ],
+)
+def test_coefficients_may_be_said_behind_their_equation(said):
+    answer = rf"{said} $$\Omega = \frac{{-b \pm \sqrt{{b^2 - 4ac}}}}{{2a}}$$ $$\Omega_\pm = ROOT$$"
+    found = mark(answer.replace("ROOT", ROOT.replace("SIGN", r"\pm")), "3.57", "two-roots")
+    assert found.passed
+    assert [line.mark for line in found.lines[:3]] == [Mark.DEFINITION] * 3
+    wrong = mark(answer.replace("b = -", "b = ").replace("ROOT", ROOT), "3.57", "two-roots")
+    assert wrong.first_wrong.said == "a Ω² + b Ω + c = 0"
+    assert wrong.first_wrong.slip == "another sign before b Ω"
+
+
+def test_what_comes_of_an_equation_is_no_name_in_front_of_it():
+    answer = r"$$0 = Z - \lambda_1\ddot\theta,\quad Z = 2\lambda_1\ddot\theta$$"
+    assert mark(answer, "3.53", "3.54").first_wrong.said == "Z = 2 λ₁ θ̈"
+
+
 # --- Slips ---------------------------------------------------------------------------------------
 
 SLIPS = [
