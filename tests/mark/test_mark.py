@@ -335,8 +335,29 @@ def test_of_a_chain_the_wrong_link_is_named():
 
 
 def test_other_pairs_are_refused():
-    with pytest.raises(RigidtopError, match=r"no derivation from 3\.57 to 3\.53 is marked"):
-        mark("", "3.57", "3.53")
+    with pytest.raises(RigidtopError, match=r"no derivation from 3\.57 to 3\.57 is marked"):
+        mark("", "3.57", "3.57")
+    with pytest.raises(RigidtopError, match=r"3\.26 is where a derivation starts"):
+        mark("", "3.57", "3.26")
+    with pytest.raises(RigidtopError, match="the lecture does not lead from the one to the other"):
+        mark("", "two-roots", "p-phi-is-Lz")
+
+
+@pytest.mark.parametrize("start", ["3.55", "3.57"])
+def test_an_equation_may_be_reached_from_one_behind_it(start):
+    balance = r"$$L_z = \lambda_1\dot\phi\sin^2\theta + L_3\cos\theta$$"
+    answer = balance + "\n" + r"$$\dot\phi = \frac{L_z - L_3\cos\theta}{\lambda_1\sin^2\theta}$$"
+    found = mark(answer, start, "3.45")
+    assert found.passed
+    assert found.summary == "every line follows, and the derivation arrives at (3.45)"
+    short = mark(r"$$L_3 = \lambda_3(\dot\psi + \dot\phi\cos\theta)$$", start, "3.45")
+    assert short.summary == "every line follows, but the derivation does not arrive at (3.45)"
+    wrong = mark(answer.replace("- L_3", "+ L_3"), start, "3.45")
+    assert [line.mark for line in wrong.lines] == [Mark.FOLLOWS, Mark.WRONG]
+    wrong = mark(answer.translate(str.maketrans("+-", "-+")), start, "3.45")
+    assert [line.mark for line in wrong.lines] == [Mark.WRONG, Mark.CARRIED]
+    assert wrong.lines[0].slip == "another sign before L₃ cos θ"
+    assert wrong.lines[1].note == "follows from line 1, which does not"
 
 
 # --- Derivatives ---------------------------------------------------------------------------------
