@@ -31,7 +31,7 @@ from rigidtop.commands import (
     watch,
     web,
 )
-from rigidtop.terminal.table import columns
+from rigidtop.terminal.table import columns, terminal_width, wrapped
 from rigidtop.terminal.table import message as message_of
 
 COMMANDS = {
@@ -63,6 +63,11 @@ the exit code."""
 class Help(argparse.HelpFormatter):
     """Paragraphs as wide as the terminal; what is indented stands as it is written if it fits."""
 
+    def format_help(self) -> str:
+        # argparse breaks no line within an option: [--axis NAME=VALUE [NAME=VALUE ...]].
+        lines = super().format_help().splitlines()
+        return "".join(f"{part}\n" for line in lines for part in _option(line, terminal_width()))
+
     def _fill_text(self, text: str, width: int, indent: str) -> str:
         made: list[str] = []
         for indented, group in groupby(text.splitlines(), lambda line: line[:1] in ("", " ")):
@@ -72,6 +77,16 @@ class Help(argparse.HelpFormatter):
             else:
                 made += fill(" ".join(lines), width).splitlines()
         return "\n".join(indent + line for line in made)
+
+
+def _option(line: str, width: int) -> list[str]:
+    """A line that names options, in lines that fit, as far as its words do."""
+    if columns(line) <= width:
+        return [line]
+    longest = max(columns(word) for word in line.split())
+    start = " " * max(0, min(len(line) - len(line.lstrip()), width - longest - 2))
+    first, *rest = wrapped(line, max(width - len(start) - 2, longest))
+    return [start + first, *(f"{start}  {part}" for part in rest)]
 
 
 def _example(line: str, width: int) -> list[str]:
@@ -115,6 +130,7 @@ def _parser() -> Parser:
         prog="rigidtop",
         description="Rigid rotation and the spinning top: the lecture derived, judged, typeset "
         "and computed.",
+        formatter_class=Help,
     )
     parser.add_argument("--version", action=_Version)
     commands = parser.add_subparsers(dest="command", required=True, metavar="command")

@@ -1,12 +1,13 @@
 """What an answer asserts, line by line, in the letters of its task, with what is said around it.
 
-A condition comes before the value that it is for, and words of what is large reach on.
+A condition comes before the value that it is for, what a letter stands for before its first use,
+and words of what is large reach on.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from rigidtop.judge.approximations import INFINITY
@@ -16,7 +17,7 @@ from rigidtop.judge.reading import Read, read_text
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import declared_letters, situation
 from rigidtop.mark.arrival import head
-from rigidtop.mark.task import Task
+from rigidtop.mark.task import ALWAYS, Task, letters
 from rigidtop.read.cues import Cue
 from rigidtop.read.document import problems
 from rigidtop.read.passages import Passage
@@ -33,14 +34,16 @@ def asserted(
     With it goes what the words around it say; with what is unread, what stands there.
     """
     read, place = read_text(source, until=until, plain=True)
-    read = _conditions_first(read)
+    facts = ALWAYS.union(*(context.letters for context in task.contexts))
+    read = _conditions_first(read, facts)
     for problem in problems(source):
         rest = source[problem.position : problem.position + 60].split("\n", 1)[0]
         yield place(problem.position)[0], Unread(problem.position, problem.reason), rest
     names, moments, large = declared_letters(source), instants(read), _behind_large(read)
-    moments = [each or _only_there(k, read) for k, each in enumerate(moments)]
+    moments = [each or _only_there(k, read, facts) for k, each in enumerate(moments)]
     moving = frozenset().union(*(context.habits.moving for context in task.contexts))
-    for number, (passage, each) in enumerate(read):
+    for number in _explained_first(read, facts):
+        passage, each = read[number]
         line = place(passage.start + each.position)[0]
         if isinstance(each, Unread):
             yield line, each, passage.text
@@ -101,7 +104,7 @@ _WHERE = re.compile(
 """Words between a value and the condition under which a letter has it."""
 
 
-def _has_condition(k: int, read: Read) -> bool:
+def _has_condition(k: int, read: Read, facts: Collection[Letter]) -> bool:
     """Whether a letter is given a number there where the next formula holds."""
     if k + 1 >= len(read):
         return False
@@ -115,24 +118,67 @@ def _has_condition(k: int, read: Read) -> bool:
         and {*each.relations} == {*condition.relations} == {"="}
         and isinstance(each.sides[-1], n.Number)
         and not is_time(condition)
+        and _explained(condition, facts) is None
         and not any(isinstance(side, n.Constant) for side in condition.sides)
     )
 
 
-def _conditions_first(read: Read) -> Read:
+def _conditions_first(read: Read, facts: Collection[Letter]) -> Read:
     """The text with the condition before the value that it is for."""
     order = list(range(len(read)))
     for k in order[:-1]:
-        if _has_condition(k, read):
+        if _has_condition(k, read, facts):
             order[k], order[k + 1] = k + 1, k
     return [read[k] for k in order]
 
 
-def _only_there(k: int, read: Read) -> str:
+_HERE = re.compile(r"\b(?:here|hier|ici)\W*", re.I)
+"""A word with which what a letter stands for begins, as it does with "where"."""
+
+
+def _explained_first(read: Read, facts: Collection[Letter]) -> list[int]:
+    """The order in which what a letter of the answer's own stands for is before its first use.
+
+    So a, b and c of a quadratic are known there, of which the text says behind it what they are.
+    """
+    order: list[int] = []
+    said = -1  # the sentence in which the last statement says what a letter stands for
+    for number, (passage, each) in enumerate(read):
+        place, name = len(order), _explained(each, facts)
+        uses = (k for k, other in enumerate(order) if name in _letters(read[other][1]))
+        first = next(uses, place) if name is not None else place
+        if first < place and _explained(read[order[first]][1], facts) != name:
+            before, use = read[order[first]]
+            # What comes of one equation for one letter may be its solution.
+            together = passage.start == before.start and len(_letters(use) - {*facts}) > 1
+            is_here = _HERE.search(passage.before[-9:]) is not None
+            if together or is_here or Cue.DEFINED in passage.cues or said == passage.sentence:
+                place, said = first, passage.sentence
+        elif name is None or first < place:
+            said = -1
+        order.insert(place, number)
+    return order
+
+
+def _explained(each: Statement | Unread, facts: Collection[Letter]) -> Letter | None:
+    """The letter of the answer's own that a statement puts into letters of the facts."""
+    if not isinstance(each, Statement) or each.relations[:1] not in (("=",), ("≡",)):
+        return None
+    left, right = each.sides[:2]
+    if not isinstance(left, Letter) or left in facts or n.letters(right) - {*facts}:
+        return None
+    return left
+
+
+def _letters(each: Statement | Unread) -> frozenset[Letter]:
+    return letters(each) if isinstance(each, Statement) and each.relations else frozenset()
+
+
+def _only_there(k: int, read: Read, facts: Collection[Letter]) -> str:
     """The place of which a condition and the value that stood before it speak, if there is one."""
     for j in (k - 1, k):
         turned = [*read[j : j + 2]][::-1]
-        if j >= 0 and len(turned) == 2 and _has_condition(0, turned):
+        if j >= 0 and len(turned) == 2 and _has_condition(0, turned, facts):
             return f"there {turned[0][0].start}"
     return ""
 

@@ -105,8 +105,9 @@ def top() -> Subject:
 def task(start: str, goal: str, subject: Subject | None = None) -> Task:
     """From one numbered equation, or one claim, of a lecture to another.
 
-    Raises RigidtopError where the lecture does not have them, or does not lead from the one to the
-    other, or no facts are known in which the goal holds.
+    A numbered equation may stand before the one to start from: what its own derivation rests on is
+    known.  Raises RigidtopError where the lecture does not have them, or does not lead from the one
+    to a claim, or no facts are known in which the goal holds.
     """
     subject = subject or top()
     pages = subject.lecture
@@ -115,7 +116,8 @@ def task(start: str, goal: str, subject: Subject | None = None) -> Task:
     for name in (start, goal):
         if name not in pages.names:
             raise RigidtopError(f"{refused}: no line of the lecture is called {name!r}")
-    if not _leads(start, goal, pages):
+    derived = _is_numbered(goal, pages) and pages.names[start] != pages.names[goal]
+    if not derived and not _leads(start, goal, pages):
         raise RigidtopError(f"{refused}: the lecture does not lead from the one to the other")
     results = _results(goal, pages)
     goals = tuple(stated(id, pages) for id in results)

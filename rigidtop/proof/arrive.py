@@ -34,6 +34,7 @@ from rigidtop.proof.moves import (
     perform,
     put_in,
     where_set,
+    with_rates,
 )
 from rigidtop.proof.values import (
     TIME,
@@ -63,6 +64,19 @@ def arrive(
     performed = perform(move, letters) if performed is None else performed
     if move.verb == "integrate over":
         return _over(equations, move, letters, performed)
+    try:
+        return _arrived(equations, move, letters, performed)
+    except RefusedError:
+        further = with_rates(performed, move, letters)
+        if further is None:
+            raise
+        return _arrived(equations, move, letters, further)
+
+
+def _arrived(
+    equations: Sequence[Equation], move: Move, letters: Letters, performed: Performed
+) -> Performed:
+    """What was performed, if the equations are that.  Raises RefusedError."""
     algebra = Algebra(letters, performed.given)
     given = performed.given
     # What alone stands there may be the right side of what is set.
@@ -364,20 +378,50 @@ LONGEST = 150
 """What has more operations is not shown beside what a line says."""
 
 
+MOST = 6
+"""Of more components that differ, or entries, the first ones are shown."""
+
+
 def _disagreement(pair: Pair, made: Pair, move: Move) -> RefusedError:
-    """What a move gives instead of what a line says, and in which of their parts they differ."""
-    message = "the move does not arrive here"
-    nodes: list[Any] = []
+    """What a move gives instead of what a line says, and in which of their parts they differ.
+
+    Where matrices with zeros differ these parts are all that is shown.
+    """
     given = Equation(*map(tree, made.sides), relation=made.relation)
-    if sum(sympy.count_ops(side) for side in given.sides) <= LONGEST:
-        message += ": it gives {}"
-        nodes.append(given)
-    if sympy.sympify(tree(pair.left)) == given.sides[0]:
-        for where, is_given, stands in _parts(made.right, pair.right):
-            if not _zero(is_given - stands, move):
-                message += f"; {where[0]} it gives {{}}, the line has {{}}"
-                nodes += [*where[1:], tree(is_given), tree(stands)]
-    return RefusedError(message, *nodes)
+    parts = [
+        (f"{where} it gives {{}}, the line has {{}}", (*of, one, other))
+        for (where, *of), one, other in _differing(pair, made, move)
+    ]
+    matrices = [side for side in given.sides if isinstance(side, MatrixBase)]
+    if any(0 in [*matrix] for matrix in matrices) and parts:
+        shown = []
+    elif len(matrices) == 1 and 2 * [*matrices[0]].count(0) > len(matrices[0]) > 9:
+        [other] = (side for side in given.sides if side is not matrices[0])
+        shown = [("it gives {} with these entries and else zeros", (other,))]
+        parts = [(f"{{}} {where}", (entry,)) for where, entry in _entries(matrices[0]) if entry]
+    elif sum(sympy.count_ops(side) for side in given.sides) <= LONGEST:
+        shown = [("it gives {}", (given,))]
+    else:
+        shown = []
+    told = [*shown, *parts[:MOST]]
+    words = "; ".join([words for words, _ in told] + ["…"] * (len(parts) > MOST))
+    nodes = [node for _, nodes in told for node in nodes]
+    return RefusedError("the move does not arrive here" + f": {words}" * bool(words), *nodes)
+
+
+def _differing(
+    pair: Pair, made: Pair, move: Move
+) -> Iterator[tuple[tuple[Any, ...], Expr | Equation, Expr | Equation]]:
+    """The components in which a line differs from what is made: the place, this and the line's."""
+    rights = _parts(made.right, pair.right)
+    if sympy.sympify(tree(pair.left)) == sympy.sympify(tree(made.left)):
+        for where, one, other in rights:
+            if not _zero(one - other, move):
+                yield where, tree(one), tree(other)
+    elif isinstance(made.left, MatrixBase):
+        for (where, *left), (_, *right) in zip(_parts(made.left, pair.left), rights, strict=False):
+            if not all(_zero(one - other, move) for one, other in (left, right)):
+                yield where, Equation(left[0], right[0]), Equation(left[1], right[1])
 
 
 def _parts(made: Value, line: Value) -> Iterator[tuple[tuple[Any, ...], Expr, Expr]]:
@@ -387,9 +431,15 @@ def _parts(made: Value, line: Value) -> Iterator[tuple[tuple[Any, ...], Expr, Ex
             of = (x.terms.get(atom, Integer(0)) for x in (made, line))
             yield ("along {}", tree(atom)), *of
     elif isinstance(made, MatrixBase) and isinstance(line, MatrixBase) and made.shape == line.shape:
-        for k, (one, other) in enumerate(zip(made, line, strict=True)):
-            row, column = divmod(k, made.shape[1])
-            yield (f"in row {row + 1}, column {column + 1}",), one, other
+        for (where, one), other in zip(_entries(made), line, strict=True):
+            yield (where,), one, other
+
+
+def _entries(matrix: MatrixBase) -> Iterator[tuple[str, Expr]]:
+    """The entries of a matrix, each with its place in words."""
+    for k, entry in enumerate(matrix):
+        row, column = divmod(k, matrix.shape[1])
+        yield f"in row {row + 1}, column {column + 1}", entry
 
 
 def factor_of(pair: Pair, made: Pair, move: Move) -> Expr | None:

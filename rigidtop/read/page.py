@@ -177,8 +177,9 @@ class _Reader:
             self.picture(text, at)
         elif text.startswith("$$"):
             self.display(text.strip("$").strip(), at)
-        elif _HIDDEN.search(text):
+        elif hidden := _HIDDEN.search(text):
             self.pending = None
+            at += text.count("\n", 0, hidden.start())
             problem = "a display stands by itself, between empty lines and in $$"
             self.blocks.append(Shown(text, at, None, problem, self.anchor))
         else:

@@ -39,10 +39,10 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
 In front, or behind a comma, may stand "using B" (put in as well), and "for $x > 0$" or "if $x > 0$"
 (under a condition): "Using (3.55), differentiate (3.53) in time"; "For a fast top (large $x$), drop
 $f$". A, B are numbers in brackets, names, letters or equations in dollars, "it" or "this" (the line
-directly above) or "both" (the two above). Where none is named the line above is meant:
-"Differentiate in time", "Project on $e$", "Substitute into (3.53)". What lecturers say besides is
-read alike: put, insert, neglect, dot with, resolve along, take the component along, differentiate
-by, call.
+directly above) or "both" (the two above); a letter may have an article, as names have. Where none
+is named the line above is meant: "Differentiate in time", "Project on $e$", "Substitute into
+(3.53)". What lecturers say besides is read alike: put, insert, neglect, dot with, resolve along,
+take the component along, differentiate by, call.
 """
 
 from __future__ import annotations
@@ -66,6 +66,8 @@ class SentenceError(ValueError):
 
 
 _MATH = re.compile(r"\$([^$]+)\$")
+_ARTICLE = re.compile(r"\b(?:the|an?) (?=\$)", re.I)
+"""What may stand before a letter as before a name in words: "differentiate the $V$ in time"."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +84,7 @@ class Context:
 
 def move(sentence: str, context: Context) -> Move:
     """The move that a sentence says.  Raises SentenceError."""
-    plain = _plain(sentence)
+    plain = _capital(_ARTICLE.sub("", _plain(sentence)))
     body, using, where = _circumstances(plain, context)
     for pattern, shape in _PATTERNS:
         found = pattern.fullmatch(body)
@@ -255,7 +257,7 @@ def is_taken(name: str, context: Context) -> bool:
 
 
 def _key(name: str) -> str:
-    words = re.sub(r"^(?:the|a|an) ", "", name.strip(), flags=re.I)
+    words = re.sub(r"^(?:the|a|an) ", "", _ARTICLE.sub("", name.strip()), flags=re.I)
     return " ".join(words.split()).lower()
 
 

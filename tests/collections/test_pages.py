@@ -284,3 +284,116 @@ def test_the_pages_that_come_with_rigidtop_have_none():
     for page in root.rglob("*.md"):
         source = page.read_text("utf-8")
         assert [*faults(source, [*names, *places(source)])] == [], page
+
+
+MOMENTUM = r"""# 3 Free
+
+| letter | meaning | unit | kind |
+| ------ | ------- | ---- | ---- |
+| $m$ | mass | kg | positive |
+| $v$ | velocity | m/s | coordinate |
+| $p$ | momentum | kg m/s | coordinate |
+
+## Laws
+
+Definition. The momentum:
+
+$$p = mv$$
+
+Newton 1687. Along the motion, the law of the free body:
+
+$$\dot p = 0$$
+
+## It goes on
+
+Rewrite the law of the free body:
+
+$$\dot p = 0$$
+
+Substitute the momentum into it:
+
+$$m\dot v = 0 \tag{3.1}$$
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        ("", "", ""),
+        (r"m\dot v = 0", r"m\dot v = m\ddot vv/\dot v", "it gives mv̇ = 0"),
+        ("| $m$ | mass | kg | positive |", "| $m$ | mass | kg | |", "it gives mv̇ + vṁ = 0"),
+        ("Definition. The momentum:", "Definition. At the moment, the momentum:", "it gives ṗ = 0"),
+    ],
+)
+def test_a_value_is_put_in_under_a_time_derivative(tmp_path, capsys, old, new, why):
+    (tmp_path / "free.md").write_text(MOMENTUM.replace(old, new, 1) if old else MOMENTUM, "utf-8")
+    assert main(["check", f"{tmp_path}/", "--lines", "--json"]) == (1 if why else 0)
+    last = json.loads(capsys.readouterr().out)[-1]
+    assert (last["verdict"] == "follows") == (not why)
+    assert why in last["note"]
+
+
+def diagonal(*entries):
+    """A matrix in LaTeX that is 0 beside its diagonal."""
+    zeros = range(len(entries))
+    rows = (" & ".join(x if i == k else "0" for i in zeros) for k, x in enumerate(entries))
+    return r"\begin{pmatrix}" + r" \\ ".join(rows) + r"\end{pmatrix}"
+
+
+MATRICES = rf"""# 4 Matrices
+
+| letter | meaning | unit | kind |
+| ------ | ------- | ---- | ---- |
+| $a$ | length | m | number |
+| $b$ | width | m | number |
+| $A$ | matrix | m | matrix |
+
+## Laws
+
+Definition. The lengths:
+
+$$A = {diagonal(*"aaaaaa")}$$
+
+Definition. The square:
+
+$${diagonal(*"aaaaaa")} = {diagonal(*"bbbbbb")}$$
+
+## What is wrong
+
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "why"),
+    [
+        (
+            f"Rewrite the lengths:\n\n$$A = {diagonal(*'baaaaa')}$$",
+            ": in row 1, column 1 it gives a, the line has b",
+        ),
+        (
+            f"Rewrite the square:\n\n$${diagonal(*'aaaaaa')} = {diagonal('2b', *'bbbbb')}$$",
+            ": in row 1, column 1 it gives b, the line has 2b",
+        ),
+        (
+            f"Rewrite the square:\n\n$${diagonal('3a', *'aaaaa')} = {diagonal(*'bbbbbb')}$$",
+            ": in row 1, column 1 it gives a = b, the line has 3a = b",
+        ),
+        (
+            f"Rewrite the lengths:\n\n$$2A = {diagonal(*'aaaaaa')}$$",
+            ": it gives A with these entries and else zeros; a in row 1, column 1; "
+            + "; ".join(f"a in row {k}, column {k}" for k in range(2, 7)),
+        ),
+        (
+            f"Rewrite the lengths:\n\n$$A = {diagonal(*'bbbbbb')} + {diagonal(*'bbbbbb')}"
+            r"\begin{pmatrix}" + r" \\ ".join(["1 & 1 & 1 & 1 & 1 & 1"] * 6) + r"\end{pmatrix}$$",
+            ": in row 1, column 1 it gives a, the line has 2b; "
+            + "".join(f"in row 1, column {k} it gives 0, the line has b; " for k in range(2, 7))
+            + "…",
+        ),
+    ],
+)
+def test_of_matrices_is_told_what_differs(tmp_path, capsys, line, why):
+    (tmp_path / "matrices.md").write_text(f"{MATRICES}{line}\n", "utf-8")
+    assert main(["check", f"{tmp_path}/", "--lines", "--json"]) == 1
+    last = json.loads(capsys.readouterr().out)[-1]
+    assert last["note"] == f"the move does not arrive here{why}"

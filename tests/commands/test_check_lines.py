@@ -71,6 +71,15 @@ def test_each_display_has_a_verdict_and_its_place(course, capsys):
     assert {row["verdict"] for row in rows[:-1]} == {"premise", "follows"}
 
 
+def test_a_display_in_a_quotation_is_told_at_its_own_line(course, capsys):
+    page = add(course, "> A quotation says\n> that:\n>\n> $$\n> T = 0\n> $$")
+    code, rows = lines(course, capsys)
+    assert code == 1
+    source = page.read_text("utf-8").splitlines()
+    assert rows[-1]["line"] == source.index("> $$") + 1
+    assert rows[-1]["note"] == "a display stands by itself, between empty lines and in $$"
+
+
 def test_a_claim_behind_a_numbered_gap_does_not_pass(course, capsys):
     page = course / "pendulum.md"
     text = page.read_text("utf-8")

@@ -92,8 +92,8 @@ def test_what_proves_nothing_fails(capsys, tmp_path, text):
     ("arguments", "complaint"),
     [
         (
-            ["{right}", "--from", "3.57", "--to", "3.53"],
-            "no derivation from 3.57 to 3.53 is marked",
+            ["{right}", "--from", "3.57", "--to", "3.26"],
+            "no derivation from 3.57 to 3.26 is marked",
         ),
         (["{right}", "--from", "x", "--to", "3.53"], "no derivation from x to 3.53 is marked"),
         (["{empty}", "--from", "3.53", "--to", "3.54"], "no formula in {empty}: put each"),

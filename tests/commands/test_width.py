@@ -18,6 +18,17 @@ and not $m\ddot x = kx$.
 """
 
 
+@pytest.mark.parametrize("width", [40, 60, 72, 80])
+@pytest.mark.parametrize("command", ["", *COMMANDS])
+def test_help_is_no_wider_than_the_terminal(monkeypatch, capsys, command, width):
+    monkeypatch.setenv("COLUMNS", str(width))
+    with suppress(SystemExit):
+        main([command, "--help"] if command else ["--help"])
+    text = capsys.readouterr().out
+    assert text.startswith("usage: rigidtop")
+    assert [line for line in text.splitlines() if columns(line) > width] == []
+
+
 EXAMPLES = ("simulate", "new", "mark", "audit")
 
 
@@ -76,3 +87,34 @@ def test_help(printed, command):
     lines = printed([command, "--help"])
     assert lines
     assert [line for line in lines if columns(line) > WIDE] == []
+
+
+@pytest.mark.parametrize("width", [60, 80])
+def test_what_is_told_of_a_page_with_faults(monkeypatch, capsys, tmp_path, width):
+    monkeypatch.setenv("COLUMNS", str(width))
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    zeros = " & 0" * 5
+    matrix = r"\begin{pmatrix} %s" + zeros + r" \\ 0" + zeros + r"\end{pmatrix}"
+    tie, slip = (rf"{matrix % 'a'} = {matrix % entry}" for entry in ("b", "2b"))
+    page = tmp_path / "faults.md"
+    page.write_text(
+        "# 1 Faults\n\n| letter | meaning | unit | kind |\n| --- | --- | --- | --- |\n"
+        "| $a$ | length | m | number |\n| $b$ | width | m | number |\n\n## Laws\n\n"
+        f"Definition. The tie:\n\n$${tie}$$\n\n## Slips\n\nRewrite the tie:\n\n"
+        f"$${slip} \\tag{{1.1}}$$\n\n"
+        f"Put the law of {'x' * width} into it:\n\n$$a = b$$\n",
+        "utf-8",
+    )
+    for words in (
+        ["check", f"{tmp_path}/"],
+        ["check", f"{tmp_path}/", "--lines"],
+        ["derive", f"{tmp_path}/", "1.1"],
+        ["map", f"{tmp_path}/"],
+        ["audit", str(page)],
+        ["notation", str(page)],
+    ):
+        main(words)
+        shown = "".join(capsys.readouterr())
+        assert words[0] != "check" or "it gives b" in " ".join(shown.split())
+        lines = [part for line in shown.splitlines() for part in line.split("\r")]
+        assert [line for line in lines if columns(line) > width] == [], words

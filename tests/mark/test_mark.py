@@ -100,6 +100,35 @@ def test_a_name_that_is_none_is_refused():
         mark("", "x", "3.53")
 
 
+COEFFICIENTS = r"a = \lambda_1\cos\theta$, $b = -\lambda_3\omega_3$ and $c = MgR"
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        rf"It is $a\Omega^2 + b\Omega + c = 0$ with ${COEFFICIENTS}$.",
+        rf"It is $$a\Omega^2 + b\Omega + c = 0$$ where ${COEFFICIENTS}$.",
+        rf"$$a\Omega^2 + b\Omega + c = 0$$ Here ${COEFFICIENTS}$.",
+        r"$$a\Omega^2 + b\Omega + c = 0,\quad "
+        + COEFFICIENTS.replace("$ and $", ",\\ ").replace("$, $", ",\\ ")
+        + "$$",
+    ],
+)
+def test_coefficients_may_be_said_behind_their_equation(said):
+    answer = rf"{said} $$\Omega = \frac{{-b \pm \sqrt{{b^2 - 4ac}}}}{{2a}}$$ $$\Omega_\pm = ROOT$$"
+    found = mark(answer.replace("ROOT", ROOT.replace("SIGN", r"\pm")), "3.57", "two-roots")
+    assert found.passed
+    assert [line.mark for line in found.lines[:3]] == [Mark.DEFINITION] * 3
+    wrong = mark(answer.replace("b = -", "b = ").replace("ROOT", ROOT), "3.57", "two-roots")
+    assert wrong.first_wrong.said == "a Ω² + b Ω + c = 0"
+    assert wrong.first_wrong.slip == "another sign before b Ω"
+
+
+def test_what_comes_of_an_equation_is_no_name_in_front_of_it():
+    answer = r"$$0 = Z - \lambda_1\ddot\theta,\quad Z = 2\lambda_1\ddot\theta$$"
+    assert mark(answer, "3.53", "3.54").first_wrong.said == "Z = 2 λ₁ θ̈"
+
+
 # --- Slips ---------------------------------------------------------------------------------------
 
 SLIPS = [
@@ -306,8 +335,29 @@ def test_of_a_chain_the_wrong_link_is_named():
 
 
 def test_other_pairs_are_refused():
-    with pytest.raises(RigidtopError, match=r"no derivation from 3\.57 to 3\.53 is marked"):
-        mark("", "3.57", "3.53")
+    with pytest.raises(RigidtopError, match=r"no derivation from 3\.57 to 3\.57 is marked"):
+        mark("", "3.57", "3.57")
+    with pytest.raises(RigidtopError, match=r"3\.26 is where a derivation starts"):
+        mark("", "3.57", "3.26")
+    with pytest.raises(RigidtopError, match="the lecture does not lead from the one to the other"):
+        mark("", "two-roots", "p-phi-is-Lz")
+
+
+@pytest.mark.parametrize("start", ["3.55", "3.57"])
+def test_an_equation_may_be_reached_from_one_behind_it(start):
+    balance = r"$$L_z = \lambda_1\dot\phi\sin^2\theta + L_3\cos\theta$$"
+    answer = balance + "\n" + r"$$\dot\phi = \frac{L_z - L_3\cos\theta}{\lambda_1\sin^2\theta}$$"
+    found = mark(answer, start, "3.45")
+    assert found.passed
+    assert found.summary == "every line follows, and the derivation arrives at (3.45)"
+    short = mark(r"$$L_3 = \lambda_3(\dot\psi + \dot\phi\cos\theta)$$", start, "3.45")
+    assert short.summary == "every line follows, but the derivation does not arrive at (3.45)"
+    wrong = mark(answer.replace("- L_3", "+ L_3"), start, "3.45")
+    assert [line.mark for line in wrong.lines] == [Mark.FOLLOWS, Mark.WRONG]
+    wrong = mark(answer.translate(str.maketrans("+-", "-+")), start, "3.45")
+    assert [line.mark for line in wrong.lines] == [Mark.WRONG, Mark.CARRIED]
+    assert wrong.lines[0].slip == "another sign before L₃ cos θ"
+    assert wrong.lines[1].note == "follows from line 1, which does not"
 
 
 # --- Derivatives ---------------------------------------------------------------------------------

@@ -33,6 +33,14 @@ CONTEXT = Context(LINES, NOTES, LINES, LINES)
         ("Substitute (3.44) and $V$ into (3.26)", "Put (3.44) and the potential into (3.26)"),
         ("Substitute $p_\\phi$", "Put $p_\\phi$ into it"),
         ("Substitute into (3.44)", "Put it into (3.44)"),
+        ("Substitute the $p_\\phi$ and the $V$ into (3.26)", "Put $p_\\phi$ and $V$ into (3.26)"),
+        (r"Differentiate the $V$ by the $\theta$", r"Differentiate $V$ by $\theta$"),
+        ("Using the $V$, rewrite (3.44)", "Rewrite (3.44), with $V$"),
+        ("The $p_\\phi$ is conserved", "Integrate it, with $p_\\phi$"),
+        (
+            r"Take the component of the $\mathbf L$ along the $\mathbf e_1$",
+            r"Take the component of $\mathbf L$ along $\mathbf e_1$",
+        ),
         ("Insert $V$ into (3.44)", "Put $V$ into (3.44)"),
         (
             r"Differentiate (3.44) with respect to $\dot\theta$",

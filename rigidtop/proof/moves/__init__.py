@@ -25,7 +25,7 @@ from rigidtop.proof.moves.pairs import (
     put_in,
     where_set,
 )
-from rigidtop.proof.moves.perform import perform
+from rigidtop.proof.moves.perform import perform, with_rates
 
 __all__ = [
     "NEGLECTED",
@@ -49,4 +49,5 @@ __all__ = [
     "perform",
     "put_in",
     "where_set",
+    "with_rates",
 ]

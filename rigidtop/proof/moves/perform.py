@@ -84,6 +84,30 @@ def perform(move: Move, letters: Letters) -> Performed:
     return replace(made, scope=scope, conditions=tuple(conditions), tied=tied)
 
 
+def with_rates(made: Performed, move: Move, letters: Letters) -> Performed | None:
+    """What was made with values put in also for rates that have letters of their own.
+
+    For p = m v that is ṗ = m v̇.  None where nothing is put in for one: a line may leave it as it
+    stands, and at a moment, or of what is approximate, nothing is known of it.
+    """
+    if move.verb != "put" or any(k.scope is Scope.SET or k.order is not None for k in move.using):
+        return None
+    there = {atom for pair in made.pairs for side in pair.sides for atom in atoms_of(side)}
+    kept = {atom for value in made.given.values() for atom in atoms_of(value)}
+    wanted = there & {*letters.rates.values()} - kept - {*made.given}
+    algebra, rates = Algebra(letters, made.given), dict[Expr, Value]()
+    for letter, value in made.given.items():
+        while wanted and letter in letters.rates and not is_operator(value):
+            letter, value = letters.rates[letter], algebra.rate(value)
+            if letter in wanted:
+                rates[letter] = value
+    if not rates:
+        return None
+    algebra = Algebra(letters, {**made.given, **rates})
+    pairs = tuple(pair.valued(algebra) for pair in made.pairs)
+    return replace(made, pairs=pairs, given=algebra.known)
+
+
 def _one_way(starts: Sequence[Expr], word: str, letters: Letters) -> None:
     """Refuse what is cited of two motions or moments, with different values of a letter."""
     for k, start in enumerate(starts):
