@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import sys
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -78,6 +79,7 @@ def run(options: argparse.Namespace) -> int:
     """Judge and print; 0 if nothing failed that the notes get right."""
     from rigidtop.collection import built_in, opened
 
+    gc.set_threshold(700, 10, 1000)  # expressions live on: to walk all of them again finds no cycle
     notation = chosen(options)
     if options.name and (page := Path(options.name[0])).suffix == ".md":
         if len(options.name) > 1:
