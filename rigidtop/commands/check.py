@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import sys
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -10,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.commands import claims
+from rigidtop.commands.beside import judged_beside
 from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
 from rigidtop.errors import RigidtopError
@@ -78,6 +80,7 @@ def run(options: argparse.Namespace) -> int:
     """Judge and print; 0 if nothing failed that the notes get right."""
     from rigidtop.collection import built_in, opened
 
+    gc.set_threshold(700, 10, 1000)  # expressions live on: to walk all of them again finds no cycle
     notation = chosen(options)
     if options.name and (page := Path(options.name[0])).suffix == ".md":
         if len(options.name) > 1:
@@ -88,7 +91,7 @@ def run(options: argparse.Namespace) -> int:
         if options.lines:
             if names:
                 raise RigidtopError("--lines is about whole pages: leave the names out")
-            lecture = collection.as_written(collection.exercises)
+            lecture = judged_beside(collection.as_written(collection.exercises))
             return _lines(lecture, lecture.texts, notation, options)
         return _run(collection, names, notation, options)
 
@@ -137,6 +140,8 @@ def _run(
     # A claim that only its lines show is judged by them.
     quick = options.quick and all(claim.evidence is not by_lines for _, claim in found)
     lecture = None if quick else collection.as_written(solved)
+    if lecture is not None and not names and not options.thorough:
+        lecture = judged_beside(lecture)
     judgements, vanishing = judged(found, collection, lecture, not names)
     denied, confirmation = confirmed(vanishing) if options.thorough else ([], [])
     trials = tried(lecture, names) if lecture is not None and options.thorough else {}

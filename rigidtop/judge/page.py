@@ -6,7 +6,7 @@ its worlds, so a line that fails in all of them is false, whatever move has arri
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from itertools import accumulate
@@ -45,7 +45,7 @@ from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.spans import NoValueError, is_contradictory, span
 from rigidtop.judge.values import UnclearError, pairs, plain
 from rigidtop.judge.written import written
-from rigidtop.proof.derivation import Judged
+from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.lecture import Lecture
 from rigidtop.read.statements import statements
 from rigidtop.terminal.limit import TooLong, within
@@ -99,6 +99,11 @@ def refuted(lecture: Lecture, judged: Judged) -> str:
     return opinion.why if opinion.verdict == FALSE else ""
 
 
+def remember(lecture: Lecture, outcomes: Mapping[str, Outcome]) -> None:
+    """Take what was found of lines elsewhere, by their ids."""
+    _pages(lecture).outcomes.update(outcomes)
+
+
 @dataclass
 class Pages:
     """What judges the lines of a lecture, each in the worlds of what it rests on."""
@@ -139,7 +144,7 @@ class Pages:
     def outcome(self, judged: Judged) -> Outcome:
         """What becomes of a line where what it cites holds, else where all holds it rests on."""
         id = judged.line.id
-        if _is_root(judged):
+        if _is_root(judged.line):
             return Outcome(PREMISE if judged.line.move is None else DEFINITION)
         read = self.read[id]
         if isinstance(read, str):
@@ -156,7 +161,7 @@ class Pages:
         return self._asked(judged, read, above, whole=True)
 
     def _stands(self, id: str) -> bool:
-        return _is_root(self.lecture.judged(id))
+        return _is_root(self.lecture.lines[id])
 
     def _asked(
         self, judged: Judged, stated: tuple[Statement, ...], rests_on: Sequence[str], whole: bool
@@ -181,9 +186,9 @@ def _pages(lecture: Lecture) -> Pages:
     return Pages(lecture)
 
 
-def _is_root(judged: Judged) -> bool:
+def _is_root(line: Line) -> bool:
     """Whether a line stands by itself: a law, a definition."""
-    return judged.line.move is None or judged.line.move.verb == "call"
+    return line.move is None or line.move.verb == "call"
 
 
 def _read(text: str, functions: frozenset[Letter]) -> tuple[Statement, ...] | str:

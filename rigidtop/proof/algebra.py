@@ -77,6 +77,18 @@ class Algebra(Operators):
         node = sympy.sympify(node)
         if isinstance(node, MatrixBase):
             return self._written_out(node)
+        if self.known or not node.args:
+            return self._value(node)
+        kept = self.letters.values
+        if node not in kept:
+            value = self._value(node)
+            # A matrix may be changed; what an integral finds to be zero is to be heard each time.
+            if isinstance(value, MatrixBase) or node.has(IntegralOver):
+                return value
+            kept[node] = value
+        return kept[node]
+
+    def _value(self, node: Expr) -> Value:
         if node in self.known:
             return self.known[node]
         if isinstance(node, Symbol):

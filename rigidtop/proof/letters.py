@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 from sympy import Expr, Symbol
 
@@ -76,6 +77,11 @@ class Letters:
     def fixed_components(self) -> Mapping[Symbol, tuple[Symbol, Symbol]]:
         """The letters that are components along an axis that does not turn: (axis, vector)."""
         return {x: (e, v) for (e, v), x in self.components.items() if e in self.numbers}
+
+    @cached_property
+    def values(self) -> dict[Expr, Any]:
+        """What printed trees say in these letters, of those of which it has been asked."""
+        return {}
 
     def arguments(self, letter: Symbol) -> frozenset[Symbol]:
         """What a partial derivative of a letter holds fixed: numbers and what it is a function of.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import sympy
@@ -152,7 +153,12 @@ def vanishes(expression: Expr) -> bool:
         return True
     if not expression.is_commutative:
         return bool(sympy.expand(expression) == 0)
-    flat, _ = flattened(expression)
+    return _is_null(flattened(expression)[0])
+
+
+@lru_cache(maxsize=20_000)
+def _is_null(flat: Expr) -> bool:
+    """Whether a scalar without atoms in it is zero."""
     flat = flat.xreplace({node: Dummy(real=True) for node in flat.atoms(*ELLIPTIC)})
     found = decide.in_digits([("=", flat)])
     if found is False:

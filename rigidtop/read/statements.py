@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Final
 
 from rigidtop.read.dress import BOLD
@@ -69,7 +70,14 @@ def statements(
     >>> [len(each.sides) for each in statements(r"a = b = c,\quad d > 0 \Rightarrow e = f")]
     [3, 2, 2]
     """
-    return _read(text, macros, Reading(functions=functions, lettered=lettered))
+    reading = Reading(functions=functions, lettered=lettered)
+    return _usual(text, reading) if macros is PACKAGES else _read(text, macros, reading)
+
+
+@lru_cache(maxsize=5_000)
+def _usual(text: str, reading: Reading) -> Read:
+    """What a formula in which no macros are defined states; a text is often read twice."""
+    return _read(text, PACKAGES, reading)
 
 
 def readings(

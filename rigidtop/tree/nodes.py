@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 
 
 class Node:
@@ -339,6 +339,7 @@ def replaced(node: Node, old: Node, new: Node) -> Node:
     return mapped(node, lambda each: new if each == old else each)
 
 
+@lru_cache(maxsize=20_000)
 def letters(node: Node) -> frozenset[Letter]:
     """The letters in a tree."""
     return frozenset(each for each in walked(node) if isinstance(each, Letter))

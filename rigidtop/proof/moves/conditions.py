@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 import sympy
 from sympy import Dummy, Expr, MatrixBase, Mul, Pow, Rational, Symbol
@@ -100,6 +101,12 @@ def nonzero(factor: Expr, conditions: Sequence[Condition]) -> bool:
     if _is_set_to_zero(factor, conditions):
         return False
     flat, relations = flat_with(factor, conditions)
+    return _is_apart(flat, tuple(relations))
+
+
+@lru_cache(maxsize=20_000)
+def _is_apart(flat: Expr, relations: tuple[Relational, ...]) -> bool:
+    """Whether an expression in letters alone is known not to vanish where all relations hold."""
     if _vanishes_somewhere(flat, relations):
         return False
     return bounds.nonzero(flat, relations) or any(

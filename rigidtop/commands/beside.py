@@ -1,0 +1,102 @@
+"""Lines judged by two processes: while one makes their moves, the other asks worlds."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import pickle
+import sys
+import threading
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from rigidtop.commands.sweep import follow
+from rigidtop.terminal.progress import over
+
+if TYPE_CHECKING:
+    from rigidtop.judge.outcome import Outcome
+    from rigidtop.proof.derivation import Judged
+    from rigidtop.proof.lecture import Lecture
+
+
+def judged_beside(lecture: Lecture) -> Lecture:
+    """The lecture with all its lines judged; as it came where that takes one process.
+
+    Of what worlds say the moves need to know only that no line is false in them.  Where one is, the
+    lines have to be judged one after the other, so that what rests on it is judged without it.
+    """
+    from rigidtop.judge.outcome import FALSE
+    from rigidtop.judge.page import remember
+
+    if lecture.refuted is None or not can_fork():
+        return lecture
+    unsent: list[str] = []
+    try:
+        with _asking(lecture) as (asked, told):
+
+            def ask(lecture: Lecture, judged: Judged) -> str:
+                try:
+                    asked.put(pickle.dumps(replace(judged.known, equations=())))
+                except (pickle.PicklingError, AttributeError, TypeError):
+                    unsent.append(judged.line.id)
+                return ""
+
+            made = replace(lecture, refuted=ask)
+            for id in over("following lines", [*made.lines]):
+                made.judged(id)
+            asked.put(None)
+            outcomes: dict[str, Outcome] = told.recv()
+    except (EOFError, OSError, ImportError):  # the other process has ended, or can't be
+        return lecture
+    if unsent or any(each.verdict == FALSE for each in outcomes.values()):
+        return lecture
+    remember(made, outcomes)
+    return made
+
+
+def can_fork() -> bool:
+    """Whether there is a second processor, and a copy of this process would be whole."""
+    free = len(os.sched_getaffinity(0)) if sys.platform == "linux" else 1
+    return free > 1 and threading.active_count() == 1
+
+
+@contextmanager
+def _asking(lecture: Lecture) -> Iterator[tuple[Any, Any]]:
+    """Where to put what is known of a line, pickled, None at last; and where outcomes come from."""
+    context = multiprocessing.get_context("fork")
+    asked = context.Queue()
+    told, tell = context.Pipe(duplex=False)
+    other = context.Process(target=_answer, args=(lecture, asked, told, tell), daemon=True)
+    with warnings.catch_warnings():
+        # Python warns of threads; those of the linear algebra are made anew in the copy.
+        warnings.simplefilter("ignore", DeprecationWarning)
+        other.start()
+    tell.close()
+    try:
+        yield asked, told
+    finally:
+        other.terminate()
+        other.join()
+        told.close()
+        asked.cancel_join_thread()
+        asked.close()
+
+
+def _answer(lecture: Lecture, asked: Any, told: Any, tell: Any) -> None:
+    """In the other process: the outcome of each line by its id, all of them at the end."""
+    from rigidtop.judge.page import outcome
+    from rigidtop.proof.derivation import Judged
+    from rigidtop.proof.equation import as_printed
+
+    follow()
+    told.close()
+    outcomes: dict[str, Outcome] = {}
+    with suppress(Exception):  # what does not answer is not asked again
+        while (known := asked.get()) is not None:
+            with as_printed():  # SymPy makes each tree anew, and is to keep it as it is
+                read = pickle.loads(known)
+            outcomes[read.id] = outcome(lecture, Judged(lecture.lines[read.id], read))
+        tell.send(outcomes)
