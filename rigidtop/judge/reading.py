@@ -87,13 +87,35 @@ def _statements(
     text: str, macros: _Macros, functions: frozenset[Letter], lettered: bool
 ) -> Sequence[Statement | Unread]:
     """What a formula states; of a text that is read again, only what is new is gone through."""
-    return statements(text, dict(macros), functions, lettered)
+    known = dict(macros)
+    read = statements(text, known, functions, lettered)
+    if lettered and any(_mixes(each) for each in read):
+        return statements(text, known, functions, lettered, differentials=False)
+    return read
+
+
+def _mixes(each: Statement | Unread) -> bool:
+    """Whether a differential is a factor in some terms of a sum and not in others: 2Mdx + mx²."""
+    nodes = [x for side in getattr(each, "sides", ()) for x in n.walked(side)]
+    sums = (x.terms for x in nodes if isinstance(x, n.Sum))
+    return any(len({_has_differential(term) for term in terms}) > 1 for terms in sums)
+
+
+def _has_differential(node: Node) -> bool:
+    """Whether a differential stands in it that belongs to no integral."""
+    if isinstance(node, n.Integral):
+        return False
+    return isinstance(node, n.Differential) or any(map(_has_differential, n.parts(node)))
+
+
+_INDEX = re.compile(r"(?<![^\W\d_])(?<![_^{])([^\W\d_])(\d)(?![\d.,^])")
+"""An index behind a letter in plain text: e1, λ3."""
 
 
 def _whole(passage: Passage) -> str:
     """The text of a formula; the word "const" behind its last sign is its last side."""
     if not passage.display and "\\" not in passage.text:
-        return re.sub(r"_([A-Za-z]{2,})", r"_{\1}", passage.text)
+        return _INDEX.sub(r"\1_\2", re.sub(r"_([A-Za-z]{2,})", r"_{\1}", passage.text))
     if re.search(r"(=|≡|≈|\\equiv|\\approx)\s*$", passage.text) and re.match(
         r"\W*[ck]onst", passage.behind
     ):

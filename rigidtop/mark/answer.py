@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from rigidtop.errors import RigidtopError
-from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Definition, Habits
+from rigidtop.judge.context import LAW, SETTING, START, Constraint, Context, Definition, Habits
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import LAGRANGIANS
@@ -157,7 +157,8 @@ class _Answer:
             believed = tuple(_believing(context, each) for context in self.contexts)
         chain = (*self.chain, *each.sides[1:]) if each.continues and self.chain else each.sides
         sound = self.sound
-        if outcome.passed is not False and outcome.verdict != UNDECIDED:
+        started = at.instant == START  # it holds at the start alone
+        if outcome.passed is not False and outcome.verdict != UNDECIDED and not started:
             sound = (*sound, *equalities(chain, each))
         special = bool(outcome.passed) and place == len(self.contexts) - 1
         lost = self._lost(each) if special else ()

@@ -35,6 +35,7 @@ _THEOREMS = (
     "|eg|ex|exmp|exer|defi|defn|thm|lem|prop|cor|rem|rmk|soln?|law|bsp|aufg"
 )
 _BOLD = r"\*\*|__|\\textbf[ \t]*\{|\{\\bf(?:series)?[ \t]|<b>|<strong>"
+_ITALIC = r"(?:\*|_|\\(?:emph|textit)[ \t]*\{)"
 _MARK = re.compile(
     r"^[ \t]{0,3}(?P<hash>#{1,6}|={2,6}|\*{2,6})[ \t]+(?=\S)"
     r"|^(?P<underlined>[^\s|>#$\\-][^\n]{0,200})\n(?P<under>={3,}|-{3,}|~{3,}|\^{3,})[ \t]*$"
@@ -44,7 +45,7 @@ _MARK = re.compile(
     rf"|\\(?P<side>begin|end)[ \t]*\{{(?P<name>{_LISTS}|{_THEOREMS})\*?\}}"
     r"|\\(?P<item>item|(?:sub){0,2}part|question|task)(?![A-Za-z])"
     r"|\\(?P<paragraph>(?:sub)?paragraph\*?[ \t]*\{)"
-    rf"|^[ \t]*(?:\\noindent\s*)?(?P<bold>{_BOLD})?"
+    rf"|^[ \t]*(?:\\noindent\s*)?(?:(?P<bold>{_BOLD})|{_ITALIC}(?=\(?[a-hivx]{{1,4}}\)))?"
     rf"(?:(?P<exercise>(?:{_EXERCISES})[ ~]*(?:\d|[A-Z]\b|\())"
     rf"|(?P<case>(?:{_CASES})[ ~]*(?:\d|[A-Z]\b|\())"
     r"|(?P<letter>\([a-hivx]{1,4}\)|[a-h]\)(?=[ \t]))|(?(bold)(?P<title>(?=\S))|(?!)))"

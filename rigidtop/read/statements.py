@@ -22,7 +22,7 @@ from rigidtop.read.macros import PACKAGES, Macros, expanded
 from rigidtop.read.shapes import parted
 from rigidtop.read.tex import UnreadError, listed, pieces
 from rigidtop.read.tokens import Token, tokens
-from rigidtop.read.vocabulary import CASES, DERIVATIVES
+from rigidtop.read.vocabulary import CASES, CONSTANT, DERIVATIVES
 from rigidtop.tree.nodes import (
     Group,
     Letter,
@@ -61,16 +61,17 @@ def statements(
     macros: Macros = PACKAGES,
     functions: frozenset[Letter] = frozenset(),
     lettered: bool = False,
+    differentials: bool = True,
 ) -> Read:
     r"""What a formula states, in order; what can't be read is an `Unread` among the others.
 
     `functions` are letters whose brackets hold the place at which they are taken; where it is
-    `lettered`, d is a letter in front of a rate.
+    `lettered`, d is a letter in front of a rate, and without `differentials` in front of a letter.
 
     >>> [len(each.sides) for each in statements(r"a = b = c,\quad d > 0 \Rightarrow e = f")]
     [3, 2, 2]
     """
-    reading = Reading(functions=functions, lettered=lettered)
+    reading = Reading(functions=functions, lettered=lettered, differentials=differentials)
     return _usual(text, reading) if macros is PACKAGES else _read(text, macros, reading)
 
 
@@ -130,13 +131,19 @@ def joined(items: Sequence[Token]) -> list[Token]:
         elif token.kind == "align":
             ahead = next((x for x in items[i + 1 :] if x.kind not in ("align", "quad")), None)
             starts = ahead is not None and ahead.kind not in ("relation", "break", "close")
-            if not open_ended and last.kind not in _BOUNDS and starts and not _is_infix(ahead):  # type: ignore[union-attr]
+            if not (open_ended or _ends(last)) and starts and not _is_infix(ahead):
                 found.append(token)
         elif token.kind == "quad" and (open_ended or items[i - 1].kind in _LAYOUT):
             continue
         else:
             found.append(token)
     return found
+
+
+def _ends(token: Token | None) -> bool:
+    """Whether a statement has ended with a token; the word "const" is its last side."""
+    constant = token is not None and token.text.strip(". ").lower() in CONSTANT
+    return token is not None and token.kind in _BOUNDS and not constant
 
 
 def _opened(items: Sequence[Token]) -> list[Token]:
