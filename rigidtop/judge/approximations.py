@@ -100,6 +100,8 @@ def said(question: Question) -> Judgement | None:
     limits = any(x.sentence == question.at.sentence for x in question.context.limits)
     if not (question.at.small or question.at.large or limits):
         return None
+    if any(0 in pair and not (pair[0] + pair[1]).expand().is_Add for pair in question.both):
+        return None  # that it is small itself does not make it vanish
     outcome = nearly_equal(question)
     if outcome is None:
         return None
@@ -159,6 +161,8 @@ def _scalings(question: Question, worlds: Worlds) -> list[Scaling]:
     if limits:
         tending = (tending_to(x.letter, x.large, worlds) for x in limits)
         return [each for each in tending if each is not None]
+    if question.context.compared == question.at.sentence and (here := _little(question, worlds)):
+        return here[-1:]  # said in the same sentence
     which = "large" if question.at.large else "small" if question.at.small else ""
     usual = _scaled(question, worlds, which)
     if question.at.large and question.at.small:

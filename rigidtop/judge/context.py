@@ -144,12 +144,14 @@ class Context:
     """The latest equations that have been found to follow."""
     little: tuple[frozenset[Letter], ...] = ()
     """Letters that are said to be much smaller than others, together at a time."""
+    compared: int = -1
+    """The sentence that said so last."""
     brackets: int = 1
     """The sign of ∂f/∂q ∂g/∂p in the text's Poisson brackets."""
     limits: tuple[Limit, ...] = ()
     """What letters tend to: zero or infinity."""
-    said: Node | None = None
-    """The left side of the statement before."""
+    said: tuple[Node, ...] = ()
+    """The sides of the statement before."""
     head: Node | None = None
     """The letter, or else the side, with which the chain begins that is being read."""
 

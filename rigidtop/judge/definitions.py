@@ -42,9 +42,17 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     value = meaning.value(other)
     if speaks_of(value, letter):
         return None
+    if letter in habits.lengths and speaks_of(value, replace(letter, bold=True)):
+        return None  # its length is known
     place = name is question.right and question.left in context.letters
     if place and (letter in context.letters or not question.at.derived):
         return None  # at x = a
+    if (
+        name is question.right
+        and letter in context.letters
+        and not isinstance(question.left, Letter)
+    ):
+        return None  # what it is equal to is worked out
     free = letter in habits.fields or _is_replaced(question, letter, other)
     if not free and _is_fixed(question, letter, value):
         return None
@@ -126,6 +134,8 @@ def again(question: Question) -> Judgement | None:
     older = context.definitions.get(letter) if letter is not None else None
     if letter is None or older is None or at.instant or not _may_be_another(question, older):
         return None
+    if question.right in context.definitions and at.scope == older.scope:
+        return None  # where two of them are equal
     value = question.meaning().value(question.right)
     if speaks_of(value, letter) or isinstance(value, MatrixBase) != is_vector(letter):
         return None
@@ -146,8 +156,10 @@ def number_again(question: Question) -> Judgement | None:
     older = context.definitions.get(letter) if letter is not None else None
     if letter is None or older is None or at.instant:
         return None
-    given = not own_letters(older.node) and not own_letters(question.right)
+    measured = any(isinstance(x, n.Unit) for x in n.walked(older.node))
+    given = not own_letters(older.node) and (measured or not own_letters(question.right))
     other = at.inline and not (at.derived or question.inner)
+    other |= measured and bool(own_letters(question.right)) and not question.inner
     if not given or not (other or _may_be_another(question, older)):
         return None
     if compared(question.left, question.right, question.meant).passed:
@@ -166,6 +178,9 @@ def _may_be_another(question: Question, older: Definition) -> bool:
     other = at.supposed and at.inline and not (moves or at.small or at.large)
     both = isinstance(older.node, Letter) and isinstance(question.right, Letter)
     named = both and at.supposed and at.inline  # for q = x, and for q = y
+    # In a part of its own what stands for something free is given numbers.
+    number = at.scope != older.scope and bool(own_letters(older.node)) and not at.derived
+    named |= number and not own_letters(question.right)
     columns = isinstance(older.node, n.Tuple) and isinstance(question.right, n.Tuple)
     named |= columns and at.inline and not at.derived
     return not within or (not question.inner and (said or other or named or at.anew))

@@ -20,12 +20,13 @@ from rigidtop.judge import (
     worth,
 )
 from rigidtop.judge.brackets import convention
-from rigidtop.judge.context import Constraint
+from rigidtop.judge.context import LAW, Constraint
 from rigidtop.judge.counterexample import refuted
 from rigidtop.judge.faults import NUMBERS
 from rigidtop.judge.laws import LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.numbers import are_numbers, compared
-from rigidtop.judge.outcome import ASSUMING, DEFINITION, PREMISE, SAMPLED, UNDECIDED, Outcome
+from rigidtop.judge.outcome import ASSUMING, DEFINITION, FALSE, PREMISE, SAMPLED, UNDECIDED, Outcome
+from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.question import Judgement, Question
 from rigidtop.judge.sides import ZERO, letters_of, named, other_root, own_letters
 from rigidtop.judge.values import UnclearError
@@ -62,7 +63,7 @@ def _judged(question: Question) -> Judgement:
     if defined is not None:
         return defined
     if all(are_numbers(*pair) for pair in question.meant):
-        return _numbers(question)
+        return _nothing(question) or _numbers(question)
     holds = question.worlds.holds(question.both)
     if holds is None:
         consistent = question.consistent()
@@ -78,6 +79,23 @@ def _judged(question: Question) -> Judgement:
         outcome, context = question.follows()
         return outcome, context if path is None else context.defining(path.letter, path.definition)
     return _failed(question, holds)
+
+
+def _nothing(question: Question) -> Judgement | None:
+    """What becomes of it without the letters that are zero, where they make both sides vanish."""
+    context = question.context
+    named = {x: d for x, d in context.definitions.items() if d.node != ZERO}
+    if ZERO in (question.left, question.right) or len(named) == len(context.definitions):
+        return None
+    if any(x != 0 for pair in question.meant for x in pair):
+        return None
+    general = replace(question.within(replace(context, definitions=named)), asked=None)
+    if judged(general)[0].passed:
+        return None
+    return Outcome(UNDECIDED, _ALL_VANISH, question.rests_on_meaning), context
+
+
+_ALL_VANISH = "each of its terms vanishes in the case that is supposed"
 
 
 def _numbers(question: Question) -> Judgement:
@@ -110,22 +128,23 @@ def _vacuous(question: Question) -> Judgement | None:
     """What becomes of it without the special cases in which each of its terms vanishes."""
     context = question.context
     kept = tuple(c for c in context.constraints if c.instant or not _is_case(c, question.moving))
+    named = {x: d for x, d in context.definitions.items() if d.node != ZERO}
     sides = (side for pair in question.both for side in pair)
     terms = [x for side in sides for x in Add.make_args(side) if x != 0]
-    if len(kept) == len(context.constraints) or len(terms) < 2:
+    general = replace(context, constraints=kept, definitions=named)
+    left = len(kept) + len(named) < len(context.constraints) + len(context.definitions)
+    if not left or (terms and len(terms) < 2) or not question.worlds.vanish(terms):
         return None
-    if not question.worlds.vanish(terms):
-        return None
-    other = replace(question.within(replace(context, constraints=kept)), asked=None)
+    other = replace(question.within(general), asked=None)
     if other.worlds.holds(other.both):
         return None
-    why = "each of its terms vanishes in the case that is supposed"
-    return Outcome(UNDECIDED, why, question.rests_on), context
+    return Outcome(UNDECIDED, _ALL_VANISH, question.rests_on), context
 
 
 def _is_case(constraint: Constraint, moving: frozenset[Letter]) -> bool:
-    """Whether a constraint gives what moves a number, at which it stays."""
-    return constraint.left in moving and isinstance(constraint.right, n.Number)
+    """Whether a constraint gives what moves a number, at which it stays, or says what vanishes."""
+    number = isinstance(constraint.right, n.Number)
+    return number and (constraint.left in moving or constraint.right == ZERO)
 
 
 def _failed(question: Question, holds: bool | None) -> Judgement:
@@ -133,6 +152,7 @@ def _failed(question: Question, holds: bool | None) -> Judgement:
     return (
         _excused(question)
         or _canonical(question)
+        or _speed(question)
         or _path(question, holds)
         or _judged_new(question, holds)
     )
@@ -197,6 +217,19 @@ def _path(question: Question, holds: bool | None) -> Judgement | None:
     return _wrong(question, holds)
 
 
+def _speed(question: Question) -> Judgement | None:
+    """A velocity given as a function of the time, which solves what holds."""
+    path = paths.speed_of(question)
+    if path is None:
+        return None
+    tried = replace(question, path=path)
+    if not paths.laws(tried) or not paths.solves(tried, path.value):
+        return None
+    rests_on = frozenset().union(*(each.rests_on for each in paths.laws(tried)))
+    outcome = Outcome(SAMPLED, "it solves what stands above", rests_on | question.rests_on_meaning)
+    return outcome, question.context.holding(question.constraint(LAW))
+
+
 def _judged_new(question: Question, holds: bool | None) -> Judgement:
     """What it brings that is new; else what is wrong with it."""
     return (
@@ -223,7 +256,12 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
         near = approximations.near_slip(question) if at.small or at.large else None
         wrong = near or faults.slip(question)
         return wrong.outcome if wrong is not None else refuted(question), context
+    if at.anew:
+        return Outcome(UNDECIDED, "it is something else than above"), context
     # In a line of words it may be said of another case, if it is not a sign or a number.
+    wrong = approximations.near_slip(question) if at.small and at.inline else None
+    if wrong is not None:
+        return wrong.outcome, context
     wrong = faults.slip(question, most=NUMBERS if at.inline and not at.derived else inf)
     if wrong is not None:
         return wrong.outcome, wrong.context
@@ -287,10 +325,24 @@ def _one_root(question: Question) -> Judgement | None:
         return None
     if not question.worlds.holds_one(both):
         return None
+    if question.at.sign and _is_of_sign(question, -question.at.sign):
+        why = f"it is the {'positive' if question.at.sign < 0 else 'negative'} one of two roots"
+        line = f"{latex(question.left)} = {latex(other)}"
+        return Outcome(FALSE, why, question.rests_on, "another sign", line), context
     conditions = (f"{latex(question.left)} = {latex(question.right)}",)
     why = "it is one of two roots"
     outcome = Outcome(ASSUMING, why, question.rests_on, conditions=conditions)
     return outcome, context.holding(question.constraint(PREMISE))
+
+
+def _is_of_sign(question: Question, sign: int) -> bool:
+    """Whether the right side has a sign in every world."""
+    right = [right for _, right in question.both]
+    try:
+        values = question.worlds.program.values(right).values
+    except UnknownFunctionError:
+        return False
+    return bool((sign * values.real > 0).all())
 
 
 # --- Another expression of what is differentiated ------------------------------------------------

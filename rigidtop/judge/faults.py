@@ -260,6 +260,8 @@ def missing_term(question: Question) -> Outcome | None:
     count = sum(len(Add.make_args(x.expand())) for x in (left, right) if x != 0)
     tops = highest(question.equations)
     gap = _solved_for(tops, question.equations, left - right)
+    if gap is None or not _is_monomial(gap):
+        gap = _left_out(question.equations, left - right)
     moves = any(left.has(x) or right.has(x) for x in tops) or _differentiates(question)
     derived = question.at.derived
     if (
@@ -280,6 +282,12 @@ def missing_term(question: Question) -> Outcome | None:
         side = f"{latex(question.left)} = {latex(n.Sum((question.right, written(gap))))}"
     words = f"the term {in_words(term)}"
     return Outcome(FALSE, f"{words} is missing", question.rests_on, words, side)
+
+
+def _left_out(equations: Sequence[Expr], gap: Expr) -> Expr | None:
+    """The one term by which a difference is more than an equation, as it stands or turned round."""
+    rests = ((gap - sign * each).expand() for each in equations for sign in (1, -1))
+    return next((x for x in rests if x != 0 and not x.is_Add and _is_monomial(x)), None)
 
 
 def missing_factor(question: Question) -> Outcome | None:

@@ -17,7 +17,7 @@ from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS, Residual
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
-from rigidtop.judge.sides import speaks_of
+from rigidtop.judge.sides import ZERO, speaks_of
 from rigidtop.judge.slips import changes
 from rigidtop.judge.values import UnclearError, pairs
 from rigidtop.tree import nodes as n
@@ -64,6 +64,8 @@ def equation(question: Question) -> Judgement | None:
     )
     if not slopes or rates or question.at.instant or question.inner:
         return None
+    if any(x.kind == FIELD for x in question.grounds.near) and question.holds():
+        return question.follows()
     context = question.context.holding(question.constraint(FIELD))
     names = ", ".join(sorted({in_words(x) for x in slopes}))
     return Outcome(PREMISE, f"it says how {names} changes", question.rests_on_meaning), context
@@ -78,6 +80,8 @@ def value(question: Question) -> Judgement | None:
         return None
     laws = [x for x in question.pool if x.kind == FIELD and speaks_of(x.expression, letter, True)]
     meant = question.meaning().value(question.right)
+    if question.right == ZERO:
+        return Outcome(PREMISE, "a place"), context  # at an edge
     if not laws or isinstance(meant, MatrixBase) or speaks_of(meant, letter):
         return None
     if _is_solved(question, laws, question.right):
@@ -109,8 +113,7 @@ def _is_solved(question: Question, laws: Sequence[Residual], node: Node) -> bool
     meaning = Meaning(known, question.memory)
     free = replace(known, constraints=tuple(c for c in known.constraints if c.kind != FIELD))
     gaps: list[Pair] = []
-    for constraint in (x.constraint for x in laws):
-        assert constraint is not None
+    for constraint in (x.constraint for x in laws if x.constraint is not None):
         try:
             gaps += pairs(meaning.value(constraint.left), meaning.value(constraint.right))
         except UnclearError:

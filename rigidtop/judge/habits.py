@@ -125,7 +125,8 @@ def _parameters(read: Sequence[Statement], moving: Collection[Letter]) -> set[Le
     driven = {*moving, TIME} | {name for name, value in given if n.letters(value) & {*moving}}
     for name, value in given:
         letters = n.letters(value)
-        if name in moving and not letters & driven and not isinstance(value, Letter):
+        alike = value.of if isinstance(value, n.Negative) else value
+        if name in moving and not letters & driven and not isinstance(alike, Letter):
             places = [x for x in letters if x.base in COORDINATES and not x.sub]
             parameters |= {*places} if len(places) == 1 else set()
     return parameters

@@ -116,14 +116,16 @@ class Judge:
             outcome, _ = self._in_context(statement, situation, between)
             if outcome.passed or outcome.slip:
                 return outcome, usual[1]
+        wrong = None
         there = places.placed(statement, situation, context)
-        if there is None:
-            return usual
-        statement = places.with_rates(statement, context)
-        outcome, after = self._in_context(statement, situation, there)
-        if outcome.passed:
-            return outcome, usual[1]
-        return (outcome, after) if outcome.slip and usual[0].passed is None else usual
+        statement = places.with_rates(statement, context) if there else statement
+        for each in there:
+            outcome, after = self._in_context(statement, situation, each)
+            if outcome.passed:
+                return outcome, usual[1]
+            if outcome.slip and wrong is None:
+                wrong = outcome, after
+        return wrong if wrong is not None and usual[0].passed is None else usual
 
     def _in_context(
         self, statement: Statement, situation: Situation, context: Context
@@ -242,7 +244,7 @@ class Judge:
             outcome, context = self._in_order(clear, situation, before)
             return (undecided if outcome.passed else outcome), context
         wrong, context = self._braced(statement, situation, context)
-        context = replace(context.knowing(letters_in(statement)), said=statement.sides[0])
+        context = replace(context.knowing(letters_in(statement)), said=statement.sides)
         return joint([*outcomes, *wrong]), context
 
     def _without_unclear(self, statement: Statement, context: Context) -> Statement | None:
@@ -365,5 +367,5 @@ def _conditioned(question: Question, relation: str) -> Judgement:
         little = own_letters(question.left if relation == "≪" else question.right)
         # What is smaller than the same is so together.
         others = tuple(x for x in context.little if not x <= little)
-        context = replace(context, little=(*others, little))
+        context = replace(context, little=(*others, little), compared=question.at.sentence)
     return Outcome(PREMISE, "a condition"), context

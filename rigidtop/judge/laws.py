@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -122,25 +123,32 @@ _KEPT = "kept"
 def conserved(context: Context, memory: Memory, pool: Sequence[Residual]) -> list[Residual]:
     """The quantities with a name that do not change, as what they are."""
     made = []
-    for letter, definition in context.definitions.items():
-        if definition.index or is_vector(letter):
-            continue
-        meaning = Meaning(context, memory)
-        try:
-            value = meaning.scalar(letter)
-        except UnclearError:
-            continue
+    for value, used in _quantities(context, memory):
         change = rate(value, context.habits.moving)
         if change == 0 or value.has(TIME):
             continue
-        key = letter, value, tuple(each.expression for each in pool)
+        key = value, tuple(each.expression for each in pool)
         if key not in memory.conserved:
             equations, _, _ = surrounding([change], context, pool)
             found = worlds.found(equations, worlds.symbols_of([*equations, *plain([change])]))
             memory.conserved[key] = bool(found.holds([(plain([change])[0], Integer(0))]))
         if memory.conserved[key]:
-            made.append(Residual(value, frozenset(meaning.used), _KEPT))
+            made.append(Residual(value, used, _KEPT))
     return made
+
+
+def _quantities(context: Context, memory: Memory) -> Iterator[tuple[Expr, frozenset[int]]]:
+    """What letters stand for, and the energy of a Lagrangian, with what says so."""
+    for letter, definition in context.definitions.items():
+        if definition.index or is_vector(letter):
+            continue
+        meaning = Meaning(context, memory)
+        with suppress(UnclearError):
+            yield meaning.scalar(letter), frozenset(meaning.used)
+    with suppress(UnclearError):
+        L, rests_on, _ = lagrangian(context, memory)
+        rates = [symbol(replace(jet, order=1)) for jet in coordinates(L)]
+        yield sum((x * L.diff(x) for x in rates), -L), rests_on
 
 
 def _linear(made: list[Residual]) -> list[Residual]:
@@ -184,10 +192,15 @@ def _of(constraint: Constraint, context: Context, memory: Memory) -> list[Residu
     return made
 
 
+def time_at(instant: str) -> Symbol:
+    """The time at an instant of which nothing says when it is."""
+    return Symbol(f"t\x1f{instant}", real=True)
+
+
 def moved(expression: Expr, instant: str, context: Context, memory: Memory) -> Expr:
     """What an expression is at an instant of the context."""
     place = context.instants.get(instant, Number("0") if instant == START else None)
-    time: Expr = Symbol(f"t\x1f{instant}", real=True)
+    time: Expr = time_at(instant)
     if place is not None:
         time = Meaning(context, memory).scalar(place)
     return at_instant(expression, instant, context.habits.moving, time)
@@ -413,6 +426,8 @@ def _prolonged(residual: Residual, orders: dict[object, int], context: Context) 
     made = [residual.expression]
     if residual.instant:
         return made
+    if _is_identity(residual.expression):
+        return []  # what is put into it solves it
     if residual.kind == FIELD and residual.constraint is not None:
         return _everywhere(residual.expression, residual.constraint, context)
     moving = context.habits.moving
@@ -434,6 +449,13 @@ def _prolonged(residual: Residual, orders: dict[object, int], context: Context) 
             break
         made.append(here)
     return made
+
+
+@lru_cache(maxsize=20_000)
+def _is_identity(expression: Expr) -> bool:
+    """Whether an expression with the time in it is zero as it is written."""
+    timed = expression.has(TIME) and not expression.atoms(AppliedUndef)
+    return timed and operations(expression) < LARGEST and bool(expression.expand() == 0)
 
 
 def _everywhere(expression: Expr, constraint: Constraint, context: Context) -> list[Expr]:

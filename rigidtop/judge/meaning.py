@@ -723,6 +723,25 @@ def _without_unit(meaning: Meaning, value: Value) -> Value:
     return value
 
 
+def _average(meaning: Meaning, node: n.Average) -> Value:
+    """The mean of a letter is a number of its own; those of sums and of multiples come from it."""
+    match n.ungrouped(node.of):
+        case Letter() as letter if not is_vector(letter):
+            return symbol(Jet(replace(letter, mark="bar")))
+        case n.Sum(terms):
+            return added([_average(meaning, n.Average(x)) for x in terms])
+        case n.Negative(of):
+            return -_average(meaning, n.Average(of))
+        case n.Product(factors):
+            moving = meaning.context.habits.moving | meaning.context.definitions.keys()
+            still = [x for x in factors if not n.letters(x) & moving]
+            rest = tuple(x for x in factors if x not in still)
+            if still and rest:
+                mean = n.Average(rest[0] if len(rest) == 1 else n.Product(rest))
+                return multiplied([*map(meaning.value, still), _average(meaning, mean)])
+    raise UnclearError("an average of what is no letter is not judged")
+
+
 def _sign(meaning: Meaning, node: n.PlusMinus) -> Value:
     return (-meaning.sign if node.inverted else meaning.sign) * meaning.value(node.of)
 
@@ -742,6 +761,7 @@ _HANDLERS: dict[type[Node], Callable[[Meaning, Any], Value]] = {
     n.Call: Meaning.call,
     n.Group: _grouped,
     n.Braced: lambda m, node: m.value(node.of),
+    n.Average: _average,
     n.Absolute: lambda m, node: length(m.value(node.of)),
     n.Rate: _rate_of,
     n.Primed: Meaning.primed,

@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Collection
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from rigidtop.judge.context import START
 from rigidtop.judge.habits import bare
 from rigidtop.judge.reading import Read
 from rigidtop.judge.sides import letters_in
 from rigidtop.read.cues import Cue, ends_moment
+from rigidtop.read.passages import Passage
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain
@@ -40,67 +41,145 @@ _TIME = Letter("t")
 def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
     """The instant of which each statement speaks; "" for all times."""
     made: list[str] = []
-    seen: set[Letter] = {Letter("t"), *moving}
-    sentence, before, now, resting = -1, "", "", -1
-    any_time = shown = clocked = False
+    seen: set[Letter] = {_TIME}
+    words = _Words()
     for passage, each in read:
-        resting = passage.sentence if Cue.REST in passage.cues else resting
-        begun = passage.display and resting == passage.sentence and not clocked
-        over = passage.sentence == sentence and ends_moment(passage.before)
-        if passage.sentence != sentence:
-            sentence, before, now, any_time, clocked = passage.sentence, now, "", False, False
-        any_time |= isinstance(each, Statement) and each.sides == (_TIME,)
-        if Cue.GENERAL in passage.cues or begun or over:
-            now = ""
-        elif Cue.MOMENT in passage.cues and _AGAIN.search(passage.before):
-            now = before or now
-        elif Cue.MOMENT in passage.cues and not any_time:
-            said = _STARTS.search(f"{passage.before} § {passage.behind}")
-            another = shown and not passage.display  # at r = a, §, and at r = b, §
-            here = f"s{sentence}" + (f"-{passage.start}" if another else "")
-            now = START if said else here if another else now or here
-        shown = passage.display
-        if isinstance(each, Statement) and is_time(each):
-            now = now or (f"s{sentence}" if _AFTER.search(passage.before) else "")
-            value, clocked = time_of(each), True
-            zero = isinstance(value, n.Number) and value.value == 0
-            if zero and (now or not passage.display):
-                now = START
-                made = [
-                    START if x.startswith(f"s{sentence}") else x for x in made
-                ]  # v = 0 at t = 0
-        starts = isinstance(each, Statement) and _is_start(each)
-        now = START if starts and now else now
-        named = not passage.display and _introduces(each, seen)
-        timed = (
-            passage.display
-            and _speaks_of_time(each)
-            and not (isinstance(each, Statement) and is_time(each))
-        )
-        general = timed or _is_kinematic(each, moving)
-        made.append(START if starts else "" if named or general else now)
-        seen |= letters_in(each) if isinstance(each, Statement) else set()
+        words.hear(passage, each, moving)
+        if isinstance(each, Unread):
+            made.append(words.now)
+            continue
+        if words.starts_with(each):
+            made = [START if words.is_of_sentence(x) else x for x in made]  # v = 0 at t = 0
+        starts = _is_start(each) and Cue.EQUILIBRIUM not in passage.cues
+        words.now = START if starts and words.now else words.now
+        named = _introduces(each, seen, moving, passage.display)
+        general = named or _is_kinematic(each, moving) or words.are_general(each)
+        made.append(START if starts else "" if general else words.now)
+        if named and each.sides[0] in moving:
+            words.now, words.any_time = "", True
+        seen |= letters_in(each)
     return made
 
 
-def _is_kinematic(each: Statement | Unread, moving: frozenset[Letter]) -> bool:
+@dataclass
+class _Words:
+    """The instant of which the words speak `now`, and of which they spoke in the sentence before.
+
+    It is given by the `place`, a letter that has a value then, or by a time; `any_time` says that
+    the sentence speaks of all times, `clocked` that it has said which time is meant.
+    """
+
+    now: str = ""
+    before: str = ""
+    sentence: int = -1
+    resting: int = -1
+    place: Node | None = None
+    any_time: bool = False
+    clocked: bool = False
+    display: bool = False
+
+    def hear(self, passage: Passage, each: Statement | Unread, moving: frozenset[Letter]) -> None:
+        """What the words in front of a statement say."""
+        cues = passage.cues
+        self.resting = passage.sentence if Cue.REST in cues else self.resting
+        begun = passage.display and self.resting == passage.sentence and not self.clocked
+        over = passage.sentence == self.sentence and ends_moment(passage.before)
+        if passage.sentence != self.sentence:
+            self.sentence, self.before, self.now = passage.sentence, self.now, ""
+            self.place, self.any_time, self.clocked = None, False, False
+        self.any_time |= isinstance(each, Statement) and _is_any(each, moving)
+        if Cue.GENERAL in cues or begun or over:
+            self.now = ""
+        elif Cue.MOMENT in cues and _AGAIN.search(passage.before):
+            self.now = self.before or self.now
+        elif Cue.MOMENT in cues and not self.any_time:
+            said = _STARTS.search(f"{passage.before} § {passage.behind}")
+            another = self.display and not passage.display  # at r = a, §, and at r = b, §
+            here = f"s{self.sentence}" + (f"-{passage.start}" if another else "")
+            self.now = START if said else here if another else self.now or here
+        self.display = passage.display
+        if self.place is None and self.now and not self.display and isinstance(each, Statement):
+            self.place = each.sides[0]
+        if isinstance(each, Statement) and is_time(each):
+            spoken = _AFTER.search(passage.before)
+            self.now, self.clocked = self.now or (f"s{self.sentence}" if spoken else ""), True
+
+    def starts_with(self, each: Statement) -> bool:
+        """Whether a statement says that the time is zero now, where the motion begins."""
+        value = time_of(each)
+        zero = isinstance(value, n.Number) and value.value == 0
+        if zero and (self.now or not self.display):
+            self.now = START
+            return True
+        return False
+
+    def is_of_sentence(self, instant: str) -> bool:
+        """Whether an instant is one of which the sentence has spoken."""
+        return instant.startswith(f"s{self.sentence}")
+
+    def are_general(self, each: Statement) -> bool:
+        """Whether a display holds at all times: the time stands in it, or what gives the place."""
+        if not self.display or is_time(each):
+            return self.display and _is_motion(each)
+        return _speaks_of_time(each) or _speaks_of(each, self.place) or _is_motion(each)
+
+
+def _is_any(each: Statement, moving: frozenset[Letter]) -> bool:
+    """Whether it is the time alone, or a letter that moves: "when the angle φ has been unwound"."""
+    return len(each.sides) == 1 and each.sides[0] in moving | {_TIME}
+
+
+def _is_kinematic(each: Statement, moving: frozenset[Letter]) -> bool:
     """Whether it says that a speed that moves is the rate of a place: ẋ = v."""
-    if not isinstance(each, Statement) or each.relations != ("=",):
+    if each.relations != ("=",):
         return False
     left, right = each.sides
     return isinstance(left, n.Rate) and right in moving and left.of in moving
 
 
-def _speaks_of_time(each: Statement | Unread) -> bool:
-    """Whether the time stands in it, so that it is said of all times."""
-    return isinstance(each, Statement) and any(_TIME in n.letters(side) for side in each.sides)
+def _is_motion(each: Statement) -> bool:
+    """Whether an acceleration stands in it beside the same letter, or its velocity."""
+    nodes = {x for side in each.sides for x in n.walked(side)}
+    moved = {x.of for x in nodes if isinstance(x, n.Rate) and x.order > 1}
+    return any(isinstance(x, n.Rate) and x.order == 1 and x.of in moved for x in nodes)
 
 
-def _introduces(each: Statement | Unread, seen: Collection[Letter]) -> bool:
-    """Whether it says what a letter is of which nothing has been said: "at the height h = 2 m"."""
-    if not isinstance(each, Statement) or each.relations != ("=",):
+def _speaks_of(each: Statement, place: Node | None) -> bool:
+    """Whether the letter that says where something is stands in it, so that it holds anywhere."""
+    named = isinstance(place, Letter) and not place.sub
+    return named and any(_has(side, place) for side in each.sides)
+
+
+def _has(node: Node, place: Node | None) -> bool:
+    """Whether a letter stands in it and not only its rate: at φ = 0 the rate has a value too."""
+    if isinstance(node, n.Rate):
         return False
-    return isinstance(each.sides[0], Letter) and each.sides[0] not in seen
+    return node == place or any(_has(part, place) for part in n.parts(node))
+
+
+def _speaks_of_time(each: Statement) -> bool:
+    """Whether the time stands in it, so that it is said of all times."""
+    return any(_TIME in n.letters(side) for side in each.sides)
+
+
+def _introduces(
+    each: Statement, seen: Collection[Letter], moving: frozenset[Letter], display: bool
+) -> bool:
+    """Whether it says what a letter is of which nothing has been said: "at the height h = 2 m".
+
+    One that moves may be said to follow another one: "the sleeve, at z = −2 l cos θ".
+    """
+    if each.relations != ("=",):
+        return False
+    letter, value = each.sides
+    if isinstance(letter, n.Call):
+        return display and letter.function not in moving  # N(x) = …, at any x
+    if not isinstance(letter, Letter) or letter in seen:
+        return False
+    if value == n.Number("0"):
+        return False
+    follows = letter in moving and bool(n.letters(value) & moving - {letter})
+    return follows or not (display or letter in moving)
 
 
 def is_time(statement: Statement) -> bool:

@@ -14,6 +14,7 @@ from rigidtop.judge.jets import TIME, jet_of, jets, rate
 from rigidtop.judge.laws import LAGRANGIANS, highest, is_any, lagrange
 from rigidtop.judge.meaning import Meant
 from rigidtop.judge.names import is_component, is_vector
+from rigidtop.judge.oscillations import FREQUENCIES
 from rigidtop.judge.outcome import DEFINITION, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes
@@ -44,7 +45,8 @@ def letters(question: Question) -> Judgement | None:
         words = f"{in_words(new[0])} is a constant of integration"
         outcome = Outcome(SAMPLED, words, question.rests_on)
         return outcome, context.holding(question.constraint(PREMISE))
-    if len(new) == 1 and new[0] not in question.at.declared and not _names(question, new):
+    mistaken = new[0] not in question.at.declared and not question.at.anew
+    if len(new) == 1 and mistaken and not _names(question, new):
         wrong = slip(question, letter=new[0])
         if wrong is not None:
             return wrong.outcome, context
@@ -80,7 +82,8 @@ def _square(question: Question) -> Letter | None:
         case n.Power(Letter() as letter, n.Number("2")) if letter in question.new_letters:
             moving = {x for x in letters_of(question.gaps[0]) if x in question.moving}
             free = not is_vector(letter) and not question.at.instant
-            return letter if free and len(moving - {letter}) == 1 else None
+            positive = letter.base in FREQUENCIES and not moving and question.at.derived
+            return letter if free and (positive or len(moving - {letter}) == 1) else None
     return None
 
 
@@ -254,6 +257,8 @@ def value(question: Question) -> Judgement | None:
     said = at.defined or at.supposed or at.inline
     if not question.worlds.count or (at.derived and not question.inner):
         return None
+    if not at.supposed and _comes_out(question):
+        return None  # it would tie parameters to each other
     free = _free_on_the_left(question) if said or question.inner else []
     if not free and not question.inner:
         free = _free_in_premises(question) or _tied(question)
@@ -271,9 +276,22 @@ def value(question: Question) -> Judgement | None:
             definition = Definition(solved, at.number, at.scope)
             return outcome, context.defining(letter, definition)
     rates = any(jet.order for gap in question.gaps for jet in jets(gap).values())
-    passed = at.inline and not rates  # what ties rates, as rolling does, stays
+    # What ties rates, as rolling does, stays, and so do the equations of a list.
+    passed = at.inline and not rates and not (at.scope and at.scope[-1] < 0)
     kind = SETTING if passed or at.balanced else PREMISE
     return outcome, context.holding(question.constraint(kind))
+
+
+def _comes_out(question: Question) -> bool:
+    """Whether the left side is a letter that what holds gives, as it gives a force."""
+    if not isinstance(question.left, Letter):
+        return False
+    equations, worlds, letter = question.equations, question.worlds, alone(question.left)
+    rates = [x for x in worlds.letters if (jet := jet_of(x)) is not None and jet.order]
+    if not rates or not any(x.has(letter) for x in equations):
+        return False
+    others = w.rank(equations, worlds, rates)
+    return w.rank(equations, worlds, [letter, *rates]) == others + 1 and others == len(rates)
 
 
 def _free_in_premises(question: Question) -> list[Symbol]:

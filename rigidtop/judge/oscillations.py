@@ -26,31 +26,42 @@ FREQUENCIES, PERIODS = frozenset("ωΩνκnfw"), frozenset("TτP")
 def with_meaning(question: Question, judgement: Judgement) -> Judgement:
     """What becomes of a new frequency or period, where an oscillation stands above.
 
-    It follows from that, or has a slip.
+    It follows from that; where words speak of it, it may have a slip.
     """
     outcome, context = judgement
-    if outcome.verdict not in (DEFINITION, PREMISE) or not question.at.oscillates:
+    if outcome.verdict not in (DEFINITION, PREMISE) or question.at.instant:
         return judgement
     name = _named(question.left)
     if name is None or name in question.context.definitions:
         return judgement
-    squares = [*_squares(question)]
-    for grounds, square in squares:
+    at = question.at
+    if not at.oscillates and (name.base != "ω" or at.defined or at.supposed):
+        return judgement  # with ω₀² = k/m
+    squares = _squares(question, name)
+    # Of several oscillations one without an index is the latest.
+    for grounds, square in squares if name.sub else squares[-1:]:
         wide = question.of([*question.both, (square, square)])
         if _agrees(question, square, question.both, wide.worlds):
             rests_on = wide.rests_on | grounds
             return replace(outcome, verdict=SAMPLED, why="", rests_on=rests_on), context
-    if squares:
+    if squares and at.oscillates:
         grounds, square = squares[-1]
         others = [(square, other) for _, other in squares]
         wide = question.of([*question.both, *others])
-        if not wide.worlds.holds(others):
+        if not (wide.worlds.holds(others) or _stands_above(question)):
             return judgement  # it may be that of another one
         wrong = slip(wide, partial(_agrees, question, square))
         told = wrong.outcome if wrong is not None else _multiple(question, square)
         if told is not None:
             return replace(told, rests_on=wide.rests_on | grounds), context
     return judgement
+
+
+def _stands_above(question: Question) -> bool:
+    """Whether the statement before is the latest equation of motion."""
+    context = question.context
+    latest = context.accelerations[-1] if context.accelerations else None
+    return latest is not None and context.said[:2] == (latest.left, latest.right)
 
 
 def _multiple(question: Question, square: Expr) -> Outcome | None:
@@ -60,13 +71,19 @@ def _multiple(question: Question, square: Expr) -> Outcome | None:
     return multiple(question.of([(value, right) for _, right in question.both]))
 
 
-def _squares(question: Question) -> list[tuple[frozenset[int], Expr]]:
-    """The squares of the frequencies with which what stands above oscillates, with what says so."""
+def _squares(question: Question, name: Letter) -> list[tuple[frozenset[int], Expr]]:
+    """The squares of the frequencies with which what stands above oscillates, with what says so.
+
+    Those of the letter of which the name has the index, if it has one: ω_x.
+    """
     equations = []
+    own = [x for x in question.moving if x.base == name.sub]
     for each in question.context.accelerations:
         with suppress(UnclearError):
             nodes = [x for side in (each.left, each.right) for x in n.walked(side)]
-            moved = (x.of for x in nodes if isinstance(x, n.Rate) and x.order == 2)
+            moved = [x.of for x in nodes if isinstance(x, n.Rate) and x.order == 2]
+            if own and not any(x in own for x in moved):
+                continue
             meaning = question.meaning(held=frozenset(x for x in moved if isinstance(x, Letter)))
             gap = meaning.scalar(each.left) - meaning.scalar(each.right)
             equations.append((gap, frozenset({each.number})))

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from sympy import Expr, MatrixBase, Symbol
+from sympy import Expr, Integral, MatrixBase, Piecewise, Symbol
 
 from rigidtop.judge import worlds
 from rigidtop.judge.context import PREMISE, Constraint, Context, Definition
-from rigidtop.judge.jets import TIME, Jet, jets, rate, symbol
+from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import Residual, residuals
 from rigidtop.judge.meaning import Meant
 from rigidtop.judge.program import Program, UnknownFunctionError
@@ -50,6 +50,42 @@ def path_of(question: Question) -> Path | None:
         return None
     definition = Definition(node, at.number, at.scope, motion=True)
     return Path(letter, value, context.forgetting(letter), definition)
+
+
+def speed_of(question: Question) -> Path | None:
+    """The motion of which a statement gives the velocity in time, but for where it begins.
+
+    None if it gives none, or if what holds depends on where the letter is.
+    """
+    match question.left:
+        case n.Rate(Letter() as letter, 1) if letter in question.moving:
+            pass
+        case _:
+            return None
+    value = question.meaning().value(question.right)
+    if question.at.instant or isinstance(value, MatrixBase) or not value.has(TIME):
+        return None
+    if question.moves(value) or operations(value) > LONGEST_SPEED:
+        return None
+    sum_of_it = _without_cases(value.integrate(TIME))
+    if sum_of_it.has(Integral):
+        return None
+    begins = [c for c in question.context.constraints if c.instant and c.left == letter]
+    kept = tuple(c for c in question.context.constraints if c not in begins)
+    before = replace(question.context, constraints=kept).forgetting(letter)
+    definition = Definition(Meant(sum_of_it), question.at.number, question.at.scope, motion=True)
+    path = Path(letter, sum_of_it, before, definition)
+    placed = any(x.expression.has(symbol(Jet(letter))) for x in laws(replace(question, path=path)))
+    return None if placed else path
+
+
+def _without_cases(value: Expr) -> Expr:
+    """The first case of each, where letters are not zero."""
+    return value.replace(lambda x: isinstance(x, Piecewise), lambda x: x.args[0].expr)
+
+
+LONGEST_SPEED = 40
+"""A velocity with more operations is not integrated."""
 
 
 def named_path(question: Question, right: Node) -> tuple[Letter | None, Node]:

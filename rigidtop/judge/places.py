@@ -3,33 +3,41 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import replace
 
-from rigidtop.judge.context import SETTING, START, TIME, Constraint, Context
+from rigidtop.judge.context import PREMISE, SETTING, START, TIME, Constraint, Context
 from rigidtop.judge.sides import is_setting, letters_in, moving_in, named
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import COORDINATES
-from rigidtop.tree.nodes import Letter, Node, Number, Rate, letters, mapped
+from rigidtop.tree.nodes import Derivative, Letter, Node, Number, Power, Rate, letters, mapped
 from rigidtop.tree.statement import Statement
 
 _RADII = frozenset("rρ")
 """What stays the same on a circle."""
 
 
-def placed(statement: Statement, at: Situation, context: Context) -> Context | None:
+def placed(statement: Statement, at: Situation, context: Context) -> list[Context]:
     """What is known where new letters are values at the place of which the words speak.
 
-    None if they speak of none.
+    Where they speak of none there is none; what the line above is may vanish in two ways: the
+    letter that it is about, or what that is equal to, whatever else it would make vanish.
     """
     instant = at.instant or (START if at.begins else "")
     names_it = is_setting(statement.sides[0], statement.sides[-1], ())
-    zero = context.said if at.vanishes else None
+    zeros = (
+        [*dict.fromkeys((context.said[0], context.said[-1]))]
+        if at.vanishes and context.said
+        else []
+    )
+    zeros += _slopes(statement, context) if at.extreme else []
+    about = bool(context.said) and _speaks_of(statement, context.said[0])
+    zeros = [x for x in zeros if x != Number("0") and not about and not _speaks_of(statement, x)]
     still = _still(at, context)
-    somewhere = instant or at.balanced or at.circular or zero is not None
     # Where each of its terms vanishes a line would say nothing.
     rates = moving_in(statement) & {*still}
-    if names_it or rates or not somewhere or _speaks_of(statement, zero):
-        return None
+    if names_it or rates or not (instant or at.balanced or at.circular or zeros):
+        return []
     fixed = frozenset().union(*(each.letters for each in context.constraints))
     spoken = frozenset().union(*(letters(x.node) for x in context.definitions.values()))
     known = fixed | spoken | context.definitions.keys() | context.given | context.declared
@@ -42,17 +50,37 @@ def placed(statement: Statement, at: Situation, context: Context) -> Context | N
             continue
         value = Constraint(name, letter, at.number, SETTING, at.scope, instant, at.sentence)
         context = context.holding(value)
-    zeros: list[Node] = [] if zero is None else [zero]
-    zeros += [Rate(letter, order, True) for letter in still for order in (1, 2)]
-    for side in zeros:
+    rest = [Rate(letter, order, True) for letter in still for order in (1, 2)]
+    context = _vanishing(context, at, rest)
+    if not zeros:
+        return [context]
+    first, *others = zeros
+    kept = tuple(c for c in context.constraints if c.kind != PREMISE)
+    bare = replace(context, constraints=kept)
+    return [_vanishing(context, at, [first]), *(_vanishing(bare, at, [x]) for x in others)]
+
+
+def _slopes(statement: Statement, context: Context) -> list[Node]:
+    """The slopes of what the line above is about by the letter that is given a value."""
+    side = statement.sides[0]
+    letter = side.base if isinstance(side, Power) else side
+    if not isinstance(letter, Letter) or not context.said:
+        return []
+    bare = letter if letter in context.letters else replace(letter, sub="")
+    return [Derivative(context.said[-1], (bare,))] if bare in letters(context.said[-1]) else []
+
+
+def _vanishing(context: Context, at: Situation, sides: Iterable[Node]) -> Context:
+    """What is known where some sides are zero, in one sentence."""
+    for side in sides:
         none = Constraint(side, Number("0"), at.number, SETTING, at.scope, "", at.sentence)
         context = context.holding(none)
     return context
 
 
-def _speaks_of(statement: Statement, side: Node | None) -> bool:
+def _speaks_of(statement: Statement, side: Node) -> bool:
     """Whether the letter that a side is stands in a statement."""
-    return side is not None and named(side)[0] in letters_in(statement)
+    return named(side)[0] in letters_in(statement)
 
 
 def _still(at: Situation, context: Context) -> list[Letter]:

@@ -12,8 +12,8 @@ from sympy import Expr
 
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, Definition
-from rigidtop.judge.jets import Jet, jets, operations, rate, symbol
-from rigidtop.judge.laws import Residual, moved, residuals, surrounding
+from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
+from rigidtop.judge.laws import Residual, moved, residuals, surrounding, time_at
 from rigidtop.judge.meaning import LARGEST, Meaning, Memory, particles
 from rigidtop.judge.outcome import SAMPLED, Outcome
 from rigidtop.judge.sides import entries, letters_of, own_letters
@@ -291,7 +291,9 @@ class Question:
         """That both sides are equal, as something that holds from here on."""
         at = self.at
         names = own_letters(self.left) | own_letters(self.right)
-        moves = bool(names & self.moving) or self.moves(*(x for pair in self.both for x in pair))
+        sides = [x for pair in self.both for x in pair]
+        times = {TIME, time_at(at.instant)}
+        moves = bool(names & self.moving) or self.moves(*sides) or any(x.has(*times) for x in sides)
         # Said of one place, r = R ŷ ends with its sentence, unless the motion passes there.
         bare = isinstance(self.left, Letter) and not self.left.sub
         placed = at.instant and not moves and bare

@@ -8,7 +8,8 @@ from dataclasses import replace
 from sympy import Symbol
 
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import PLACE, SETTING, Definition
+from rigidtop.judge.context import PLACE, SETTING, Context, Definition
+from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.jets import TIME, Jet, jet_of
 from rigidtop.judge.numbers import are_numbers
 from rigidtop.judge.outcome import PREMISE, Outcome
@@ -30,8 +31,9 @@ def setting(question: Question) -> Judgement | None:
     if given and isinstance(question.left, Letter):  # it may be as small as it is said to be
         context = replace(context, results=context.results | {question.left})
     known = context.holding(set_here)
-    if question.of(question.both, known).worlds.count:
-        return outcome, known
+    for each in (known, _with_results(known)):
+        if question.of(question.both, each).worlds.count:
+            return outcome, each
     older = [c for c in context.constraints if c.kind == SETTING and not c.instant]
     ended = [[], *([x] for x in reversed(older)), *(older[:k] for k in range(2, len(older) + 1))]
     for over in ended:
@@ -41,6 +43,13 @@ def setting(question: Question) -> Judgement | None:
         if question.of(question.both, known).worlds.count:
             return outcome, known
     return None
+
+
+def _with_results(context: Context) -> Context:
+    """With the letters that equations are about as what comes out of them: J ω₀ may be zero."""
+    left = (own_letters(c.left) for c in context.constraints if c.kind == SUPPOSED)
+    results = frozenset().union(*left) - context.definitions.keys() - context.given
+    return replace(context, results=context.results | results)
 
 
 def origin(question: Question) -> Judgement | None:
@@ -81,7 +90,11 @@ def elsewhere(question: Question) -> Judgement | None:
     context, at, left = question.context, question.at, question.left
     if not at.inline or at.derived or question.inner or not isinstance(left, Letter):
         return None
-    older = [c for c in context.constraints if c.left == left and c.scope == at.scope]
+    older = [
+        c
+        for c in context.constraints
+        if c.left == left and c.scope == at.scope and c.instant in ("", at.instant)
+    ]
     if not older or left in context.definitions:
         return None
     kept = tuple(c for c in context.constraints if c is not older[-1])

@@ -16,7 +16,8 @@ class Situation:
     `declared` are letters that words introduce, and `asked` says that it is not asserted.
     `origin`: it says where a letter counts from.
     `oscillates`, `begins`, `balanced`, `circular`: words speak of an oscillation, of a start from
-    rest, of an equilibrium, of a circle. `vanishes`: what was said before is zero there.
+    rest, of an equilibrium, of a circle. `vanishes`: what was said before is zero there, and
+    `extreme`: greatest or least. `sign`: that of the one root, of two, of which the words speak.
     `anew`: it is what a letter stands for after a change; `ranges`: it says where something
     begins or ends.
     `inline`: it stands in a line of words, and `opens`: nothing stands above it in its scope.
@@ -42,6 +43,8 @@ class Situation:
     balanced: bool = False
     circular: bool = False
     vanishes: bool = False
+    extreme: bool = False
+    sign: int = 0
     inline: bool = False
     closed: bool = False
     opens: bool = False

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import pairwise
 
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node, Number
@@ -109,9 +110,10 @@ def _single(
                 turned = term.of if isinstance(term, n.Negative) else n.Negative(term)
                 words = f"another sign before {plain(_bare(term))}"
                 yield n.Sum((*terms[:k], turned, *terms[k + 1 :])), words, 0.0
-                if len(terms) > 2:
-                    left = n.Sum((*terms[:k], *terms[k + 1 :]))
-                    yield left, f"no {plain(_bare(term))}", 5.0
+                rest = (*terms[:k], *terms[k + 1 :])
+                left = n.Sum(rest) if len(rest) != 1 else rest[0]
+                if len(rest) > 1 or (rest and all(isinstance(x, Letter) for x in terms)):
+                    yield left, f"no {plain(_bare(term))}", 5.0 if len(rest) > 1 else 2.85
         case n.Product(factors) if len(factors) > 1:
             for k, factor in enumerate(factors):
                 if isinstance(factor, (Letter, n.Apply, Number)):
@@ -119,11 +121,19 @@ def _single(
                     without = n.Product(rest) if len(rest) > 1 else rest[0]
                     rank = 0.95 if isinstance(factor, Number) else 2.08
                     yield without, f"no factor {plain(factor)}", rank
+            for k, pair in enumerate(pairwise(factors)):
+                if all(isinstance(x, Letter) and not x.bold for x in pair):
+                    square = n.Power(n.Group(n.Product(pair)), Number("2"))
+                    rest = (*factors[:k], square, *factors[k + 2 :])
+                    squared = n.Product(rest) if len(rest) > 1 else square
+                    yield squared, f"{plain(n.Product(pair))} squared", 2.3
         case n.Number(text):
             value = node.value
             for other in (2 * value, value / 2, value + 1, value - 1, 3 * value, value / 3):
                 if other > 0:
                     yield _number(other), f"{other} in place of {text}", 1.5
+            if value > 1:
+                yield n.Root(node), f"the root of {text}", 2.6
             for other in (value + 2, value - 2):
                 if other > 0:
                     yield _number(other), f"{other} in place of {text}", 1.9
@@ -165,6 +175,11 @@ def _single(
                 if looks and not alike and other_letter.bold == node.bold:
                     words = f"{plain(other_letter)} in place of {plain(node)}"
                     yield other_letter, words, 2.4 if near else 3.2
+                alike_in_kind = near or node.base.swapcase() == other_letter.base
+                if alike_in_kind and node.base in "mMkJI":  # m + M, and k₁ + k₂
+                    both = n.Group(n.Sum((node, other_letter)))
+                    if not alike and not node.bold and not other_letter.bold:
+                        yield both, f"{plain(both.of)} in place of {plain(node)}", 2.7
         case n.Rate(of, order) if order > 0:
             if order > 1:
                 yield n.Rate(of, order - 1, True), f"{order - 1} dot on {plain(of)}", 2.8
@@ -183,6 +198,9 @@ def _single(
             if isinstance(under, n.Sum):
                 square = n.Power(n.Group(under), Number("2"))
                 yield n.Quotient(over, square), f"{plain(n.Group(under))} squared", 3.0
+                for term in {_bare(x) for x in under.terms} - {over}:
+                    words = f"{plain(term)} in place of {plain(over)}"
+                    yield n.Quotient(term, under), words, 2.5
             yield n.Quotient(under, over), "the fraction turned over", 3.0
             if n.letters(node):
                 yield n.Power(n.Group(node), Number("2")), f"{plain(node)} squared", 2.2
@@ -239,6 +257,7 @@ def _times(
     bare = side.of if isinstance(side, n.Rate) else side
     if whole and not isinstance(bare, (n.Sum, n.Tuple, n.Matrix, Number)):
         yield _negated(side), "another sign", 0.2
+        yield n.Root(side), "the root of it", 2.5
         for factor, words, rank in factors:
             if not _cancels(factor, side):
                 yield _product(factor, side), f"{words} times as much", rank

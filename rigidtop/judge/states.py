@@ -31,7 +31,7 @@ def _quantity(context: Context, named: bool) -> Letter | None:
     """The letter that words say to be conserved: of a momentum, or the one of the line above."""
     known = context.definitions
     letters = [x for x in known if not (x in LAGRANGIANS and _has_a_square(known[x].node))]
-    said = context.said if isinstance(context.said, Letter) else None
+    said = next((x for x in context.said[:1] if isinstance(x, Letter)), None)
     if not named:
         return said if said in letters else None
     momenta = [x for x in letters if x.base in _MOMENTA]

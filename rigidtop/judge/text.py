@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -9,7 +10,7 @@ from dataclasses import dataclass, replace
 from math import inf
 
 from rigidtop.judge.ahead import explained_first
-from rigidtop.judge.context import Context, Habits
+from rigidtop.judge.context import Context, Habits, Limit
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time, time_of
@@ -173,7 +174,7 @@ def _step(
         if Cue.DIVISOR in passage.cues:
             return None, replace(context, not_zero=(*context.not_zero, *each.sides))
         if Cue.CONSTANT not in passage.cues:
-            return None, context
+            return None, _tending(each.sides[0], passage, context)
         each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
     context = context.within(passage.scope, passage.sentence)
     if Cue.REST in passage.cues:
@@ -199,6 +200,19 @@ def _step(
     if Cue.CONSTANT in passage.cues and outcome.verdict == DEFINITION:
         context = kept(context, asked.number, passage.scope, False)
     return row(outcome, at), context
+
+
+_GROWS = re.compile(r"\b(?:(small|klein\w*|petite?s?)|large|gro(?:ss|ß)\w*|grande?s?) ?\Z", re.I)
+"""Words in front of a letter that is small, or large, where something is nearly true."""
+
+
+def _tending(node: n.Node, passage: Passage, context: Context) -> Context:
+    """What is known where words call a letter small, or large, in a sentence."""
+    words = _GROWS.search(passage.before)
+    if words is None or not isinstance(node, Letter) or node in context.habits.moving:
+        return context
+    limit = Limit(node, words[1] is None, passage.sentence)
+    return replace(context, limits=(*context.limits, limit))
 
 
 def in_time(
@@ -237,7 +251,7 @@ def situation(
         instant,
         passage.sentence,
         supposed=bool(cues & {Cue.CASE, Cue.CONDITION}),
-        derived=Cue.DERIVED in cues,
+        derived=Cue.DERIVED in cues and Cue.GIVEN not in cues,
         defined=Cue.DEFINED in cues,
         small=Cue.SMALL in cues or Cue.APPROXIMATED in cues,
         large=Cue.LARGE in cues,
@@ -250,6 +264,8 @@ def situation(
         balanced=Cue.EQUILIBRIUM in cues,
         circular=Cue.CIRCLE in cues,
         vanishes=Cue.VANISHING in cues,
+        extreme=Cue.EXTREME in cues,
+        sign=(Cue.POSITIVE in cues) - (Cue.NEGATIVE in cues),
         inline=not passage.display,
         opens=opens,
         declared=names,

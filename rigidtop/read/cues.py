@@ -59,6 +59,12 @@ class Cue(Enum):
     """The same of a momentum."""
     VANISHING = auto()
     """What was spoken of before vanishes there: "it is zero for"."""
+    EXTREME = auto()
+    """What was spoken of before is greatest or least there."""
+    POSITIVE = auto()
+    """It is the positive one of two roots."""
+    NEGATIVE = auto()
+    """It is the negative one."""
     CIRCLE = auto()
     """It holds on a circle."""
     OSCILLATION = auto()
@@ -200,11 +206,16 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"\b(?:new|changed|neue[ns]?|nouvel(?:le)?) (?:[\w'-]+ ){1,4}(?:is|becomes|ist|wird"
         r"|est|devient)"
         r"(?: (?:now|then|thus|therefore|hence|nun|dann|daher|also|alors|donc))?",
+        r"\b(?:turns|changes|transforms|converts) (?:this|it|that|§) (?:in)?to",
+        r"\b(?:for (?:it|him|her|them|this one|that one)|für (?:ihn|sie|es)|pour (?:lui|elle))"
+        r"(?: (?:is|we have|one has|ist|gilt|on a))?",
     ),
     Cue.GIVEN: (
         r"\b(?:according to|from the tables?|(?:Newton|Hooke|Kepler|Coulomb)['’]?s? (?:\w+ )?law"
         r"|experiments? shows?|measured|by measurement|as (?:\w+ ){1,4}says|it is known|laut|gemäß"
         r"|Gesetz|Messung|selon|d['’]après|loi de)\b[^§]*",
+        r"\b(?:(?:no|not|without) (?:slip(?:ping)?|slide|skid)\b|ohne (?:zu )?(?:gleiten|rutschen)"
+        r"|(?:rutsch|gleit)\w* nicht|sans gliss\w+|ne glisse\w* pas)[^§.]*",
     ),
 }
 """The words directly in front of a formula, behind which no more stands than a comma."""
@@ -213,14 +224,35 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
     Cue.SMALL: (rf"\b{_SMALL}",),
     Cue.LARGE: (rf"\b{_LARGE}",),
     Cue.EQUILIBRIUM: (
+        r"\bstands? (?:still|at a (?:fixed|constant)\b)",
         r"(?:^|[.;¶] ?)(?:at rest|in Ruhe|au repos)\b",
         r"\b(?:equilibri(?:um|a)|(?:can|could) (?:stay|rest|remain)|(?:stays|rests|remains) at"
         r"|Gleichgewicht\w*|Ruhelagen?|équilibre)\b",
     ),
     Cue.VANISHING: (
-        r"\b(?:it|this|that|they|sie|er|es|dies|elle|il|cela) (?:vanish(?:es)?|(?:is|becomes) zero"
-        r"|verschwindet|(?:ist|wird) null|s'annule)"
-        r" (?:at|for|if|when|where|bei|für|wenn|pour|quand)\b",
+        r"\b(?:it|this|that|they|(?:the|this|its) [\w-]+(?: force)?|sie|er|es|dies|die(?:se)? \w+"
+        r"|elle|il|cela|ceci|cette \w+) (?:vanish(?:es)?|(?:is|becomes) zero|verschwindet"
+        r"|(?:ist|wird) null|s'annule)(?:,? (?:at|for|if|when|where|i\. ?e\.|that is|bei|für|wenn"
+        r"|das heißt|pour|quand|si)\b|,|\Z)",
+        r"\b(?:does|do) not (?:move|roll|slide|turn|accelerate)(?: at all)? (?:if|for)\b",
+        r"\b(?:stays|remains|is|bleibt|reste) (?:at rest|in Ruhe|au repos)[^§.;:]{0,40}"
+        r" (?:if|for|wenn|für|si|pour)\b",
+    ),
+    Cue.EXTREME: (
+        r"\b(?:greatest|largest|highest|maximum|maximal|smallest|least|lowest|minimum|minimal)"
+        r"(?! (?:point|position|lage))(?: [\w'-]+){0,6} (?:at|for|if|when|where|is at|occurs?)\b",
+        r"\b(?:größte\w*|maximal\w*|kleinste\w*|minimal\w*|Maximum|Minimum)(?: [\w'-]+){0,4}"
+        r" (?:bei|für|wenn|wo)\b",
+        r"\b(?:l[ea] plus (?:grande?|petite?)|maximale?|minimale?|maximum|minimum)"
+        r"(?: [\w'-]+){0,4} (?:pour|quand|si|en)\b",
+    ),
+    Cue.POSITIVE: (
+        r"\bpositive(?:[rn]? (?:Wurzel|Lösung)| (?:root|solution|value))"
+        r"|\b(?:racine|solution) positive\b",
+    ),
+    Cue.NEGATIVE: (
+        r"\bnegative(?:[rn]? (?:Wurzel|Lösung)| (?:root|solution|value))"
+        r"|\b(?:racine|solution) négative\b",
     ),
     Cue.CIRCLE: (r"\b(?:on an? (?:\w+ )?circle|circular|Kreisbahn\w*|circulaire)\b",),
     Cue.OSCILLATION: (
@@ -256,6 +288,8 @@ BEHIND: dict[Cue, tuple[str, ...]] = {
         r"\b",
         rf"{_AND}(?:does|do) not (?:change\b(?! under| with| if)|depend on (?:the )?time)",
         r",? ?(?:which )?(?:ändert sich nicht|ne (?:change|varie) pas|bleibt erhalten)",
+        rf"{_AND}(?:keeps? (?:its|their) values?|behalten (?:ihren|ihre) Werte?"
+        r"|gardent leurs? valeurs?)",
     ),
     Cue.SMALL: (
         rf",? ?\(?(?:for|if|when|to|in|up to|für|bis|pour|au) [^§.;]{{0,20}}?{_SMALL}",
@@ -299,7 +333,7 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"|instant|place|point)|when|whenever)",
         r"\b(?:there|point|place|moment|instant|time|angle)\b[^§.;:]{0,30} where(?: now)?",
         r"\b(?:bei|sobald|zur Zeit|zum Zeitpunkt)|, wo",
-        r"\b(?:en|à|lorsque|quand|à l'instant)",
+        r"\b(?:en|(?<!rapport )à|lorsque|quand|à l'instant)",
         r"\b(?:obtained|reached|found|follows|occurs|happens|ergibt sich|erreicht|folgt|gilt"
         r"|s'obtient|atteinte?) (?:for|für|pour)",
     ),
@@ -365,6 +399,8 @@ _CHOSEN = re.compile(
 """What chooses a coordinate, in front of the place from which it counts."""
 _TO = re.compile(r"\A(?:to|and|bis|und|à|et)\b|\b(?:to|and|bis|und|à|et)\Z", re.I)
 """What stands between the beginning and the end of a range."""
+_THAT_IS = re.compile(r"(?:^|[¶,.;] ?|\bou )soit[ :,]*\Z", re.I)
+"""In front of a display it says the same in another form; in front of a letter it is "let"."""
 _SUPPOSED_BEHIND = re.compile(
     r"(?:at|for|für|if|when|bei|zur Zeit|wenn|falls|si|lorsque|à|à l'instant|pour)", re.I
 )
@@ -396,6 +432,8 @@ def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
             heard = heard - {Cue.ORIGIN}
         if _WHERE.search(before) and _VANISHING.search(text):
             heard = heard - {Cue.DEFINED} | {Cue.MOMENT}
+    elif _THAT_IS.search(before):
+        heard = heard - {Cue.CASE} | {Cue.DERIVED}
     if Cue.ORIGIN in heard:
         heard = heard - {Cue.EQUILIBRIUM}
     return unequal(frozenset(heard), text, display)

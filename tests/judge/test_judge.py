@@ -1,7 +1,7 @@
 """What the judge can do, a short text for each: what is right follows, what is wrong is told."""
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 
 import pytest
 
@@ -549,7 +549,7 @@ def right_and_wrong():
         yield pytest.param(tuple(right), id=title[2:])
 
 
-@lru_cache
+@cache
 def rows_of(lines):
     """The outcomes of the formulas that stand alone, with their marks."""
     rows = judged("\n".join(line.source for line in lines))
