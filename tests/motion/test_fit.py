@@ -139,8 +139,7 @@ def test_errors_cover():
 SPIN = "moments cannot be known from this: a body that tumbles explains"
 
 
-@pytest.mark.parametrize("axis", [0, 1, 2])
-@pytest.mark.parametrize("size", [0.0, 1e-9, 0.05])
+@pytest.mark.parametrize(("axis", "size"), [(0, 0.05), (1, 0.0), (1, 1e-9), (2, 1e-9)])
 def test_a_spin_along_a_principal_axis_tells_nothing(axis, size):
     omega = np.tile(9.0 * np.eye(3)[axis], (len(T), 1))
     with pytest.raises(rt.RigidtopError, match=SPIN):

@@ -321,7 +321,7 @@ def progress(done, total):
     print(done, total, flush=True)
     time.sleep(float(sys.argv[2]))
 top = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5, "theta": 0.5, "t": 2.0}
-sweep = Sweep("phi", {"omega3": Span(1, 60, 1000), "phi_dot": Span(-5, 5, 300)}, top)
+sweep = Sweep("phi", {"omega3": Span(1, 60, 1000), "phi_dot": Span(-5, 5, 60)}, top)
 if __name__ == "__main__":
     run(sweep, sys.argv[1], block_size=1000, progress=progress)
 """
@@ -521,7 +521,7 @@ def test_few_blocks_are_on_their_way(tmp_path):
 
 
 def test_the_grid_is_never_in_memory(tmp_path):
-    grid = Sweep("theta_min", {"omega3": Span(0, 60, 1000), "phi_dot": Span(-5, 5, 500)}, TOP)
+    grid = Sweep("theta_min", {"omega3": Span(0, 60, 1000), "phi_dot": Span(-5, 5, 400)}, TOP)
     run(SMALL, tmp_path / "small.npy")
     tracemalloc.start()
     try:
@@ -529,8 +529,8 @@ def test_the_grid_is_never_in_memory(tmp_path):
         peak = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()
-    assert (tmp_path / "map.npy").stat().st_size > 4_000_000
-    assert peak < 3_900_000
+    assert (tmp_path / "map.npy").stat().st_size > 3_200_000
+    assert peak < 3_100_000
 
 
 @pytest.mark.parametrize("ahead", [1, 2, 64])
@@ -573,7 +573,7 @@ def test_a_pool_that_breaks_can_be_resumed_from(tmp_path):
 def test_a_worker_of_a_cluster_is_killed_and_nothing_is_lost(tmp_path):
     from distributed import Client, LocalCluster
 
-    sweep = Sweep("phi", {"omega3": Span(1, 60, 200), "phi_dot": Span(-5, 5, 750)}, TOP | {"t": 2})
+    sweep = Sweep("phi", {"omega3": Span(1, 60, 80), "phi_dot": Span(-5, 5, 750)}, TOP | {"t": 2})
     killed, seen = [], []
     with (
         LocalCluster(
@@ -598,7 +598,7 @@ def test_a_worker_of_a_cluster_is_killed_and_nothing_is_lost(tmp_path):
     [(pid, waiting)] = killed
     assert waiting > 0
     assert pid not in left
-    assert seen == list(range(0, 150_001, 1000))
+    assert seen == list(range(0, 60_001, 1000))
     assert np.array_equal(found.values.ravel(), in_blocks(sweep, 1000))
 
 
