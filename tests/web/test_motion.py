@@ -226,7 +226,7 @@ def test_most_is_that_of_all_steps(engine, tableau):
     setup = setup_of(TOP.motion(theta=0.5, phi_dot=1.0, omega3=12.0))
     found = engine.run(
         "ACCURACY.rtol = ACCURACY.atol = 1e-4; m = createMotion(setup, tableau);"
-        "seen = Array.from({ length: 60 }, (_, k) => { m.reset(); m.go((k + 1) / 4);"
+        "seen = Array.from({ length: 30 }, (_, k) => { m.reset(); m.go((k + 1) / 4);"
         " const [drift] = m.drift(); return [drift.now, drift.most]; });"
         "ACCURACY.rtol = 2.5e-14; ACCURACY.atol = 1e-14; seen",
         setup=as_json(setup),
