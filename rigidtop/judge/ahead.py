@@ -6,8 +6,8 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import Protocol, TypeVar
 
-from rigidtop.read.cues import Cue
 from rigidtop.read.passages import Passage
+from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter
 from rigidtop.tree.statement import Statement, Unread

@@ -77,7 +77,9 @@ def _judged(question: Question) -> Judgement:
     if question.is_kept(question.both):
         path = paths.path_of(question)
         outcome, context = question.follows()
-        return outcome, context if path is None else context.defining(path.letter, path.definition)
+        if path is None:  # no world knows the way from the start
+            return outcome, context.holding(question.constraint(PREMISE))
+        return outcome, context.defining(path.letter, path.definition)
     return _failed(question, holds)
 
 

@@ -11,8 +11,9 @@ from rigidtop.judge.context import START
 from rigidtop.judge.habits import bare
 from rigidtop.judge.reading import Read
 from rigidtop.judge.sides import letters_in
-from rigidtop.read.cues import Cue, ends_moment
+from rigidtop.read.cues import ends_moment
 from rigidtop.read.passages import Passage
+from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain

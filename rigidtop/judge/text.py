@@ -20,10 +20,10 @@ from rigidtop.judge.reading import LATE, Read, read_text
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import at_rest, with_energy, with_velocities
 from rigidtop.judge.states import kept
-from rigidtop.read.cues import Cue
 from rigidtop.read.declared import declared
 from rigidtop.read.macros import Macros
 from rigidtop.read.passages import Passage
+from rigidtop.read.phrases import Cue
 from rigidtop.read.statements import statements
 from rigidtop.terminal.limit import TooLong, within
 from rigidtop.tree import nodes as n

@@ -18,9 +18,9 @@ from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import declared_letters, situation
 from rigidtop.mark.arrival import head
 from rigidtop.mark.task import ALWAYS, Task, letters
-from rigidtop.read.cues import Cue
 from rigidtop.read.document import problems
 from rigidtop.read.passages import Passage
+from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.statement import Statement, Unread

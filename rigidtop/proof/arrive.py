@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from operator import itemgetter
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Integer, MatrixBase, Rational, Symbol
+from sympy import Add, Expr, Integer, MatrixBase, Symbol
 
-from rigidtop.proof import bounds, decide, floats, quadrature
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.clock import Clock
-from rigidtop.proof.equation import Equation, IntegralOver, NoMeaningError, Rate, symbols_of
+from rigidtop.proof.equation import Equation, NoMeaningError, Rate, symbols_of
+from rigidtop.proof.factor import factor_of, is_zero
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import (
     NEGLECTED,
@@ -27,7 +25,6 @@ from rigidtop.proof.moves import (
     RefusedError,
     Scope,
     braces_of,
-    flat_with,
     named_components,
     nonzero,
     pairs_of,
@@ -42,7 +39,6 @@ from rigidtop.proof.values import (
     Vector,
     atoms_of,
     components,
-    difference,
     flattened,
     is_smooth,
     tree,
@@ -239,7 +235,7 @@ def solves(equations: Sequence[Equation], move: Move, letters: Letters) -> list[
             raise RefusedError("where {} starts is not said", letter)
         if not {*atoms_of(start[letter])} <= letters.numbers:
             raise RefusedError("{} starts at what is no number", letter)
-        if not _zero(motion[letter].subs(TIME, 0) - start[letter], move):
+        if not is_zero(motion[letter].subs(TIME, 0) - start[letter], move):
             raise RefusedError("{} does not start there", letter)
     return [c for lower in states for c in _until(motion[lower[0]])]
 
@@ -352,7 +348,7 @@ def _is_alike(one: Value, other: Value) -> bool:
 
 
 def _is_identity(pair: Pair, move: Move) -> bool:
-    return all(_zero(part, move) for part in components(pair.left, pair.right))
+    return all(is_zero(part, move) for part in components(pair.left, pair.right))
 
 
 def _problem(pair: Pair, made: Pair, performed: Performed, move: Move) -> RefusedError | None:
@@ -416,11 +412,11 @@ def _differing(
     rights = _parts(made.right, pair.right)
     if sympy.sympify(tree(pair.left)) == sympy.sympify(tree(made.left)):
         for where, one, other in rights:
-            if not _zero(one - other, move):
+            if not is_zero(one - other, move):
                 yield where, tree(one), tree(other)
     elif isinstance(made.left, MatrixBase):
         for (where, *left), (_, *right) in zip(_parts(made.left, pair.left), rights, strict=False):
-            if not all(_zero(one - other, move) for one, other in (left, right)):
+            if not all(is_zero(one - other, move) for one, other in (left, right)):
                 yield where, Equation(left[0], right[0]), Equation(left[1], right[1])
 
 
@@ -440,84 +436,6 @@ def _entries(matrix: MatrixBase) -> Iterator[tuple[str, Expr]]:
     for k, entry in enumerate(matrix):
         row, column = divmod(k, matrix.shape[1])
         yield f"in row {row + 1}, column {column + 1}", entry
-
-
-def factor_of(pair: Pair, made: Pair, move: Move) -> Expr | None:
-    """The number c for which line = c × performed; None where there is none."""
-    mine, theirs = difference(pair.left, pair.right), difference(made.left, made.right)
-    if mine.keys() != theirs.keys():
-        mine = {k: v for k, v in mine.items() if not _zero(v, move)}
-        theirs = {k: v for k, v in theirs.items() if not _zero(v, move)}
-        if mine.keys() != theirs.keys():
-            return None
-    factor = Integer(1)
-    for key in mine:
-        guess = _ratio(mine[key], theirs[key])
-        if guess is not None:
-            factor = guess
-            break
-    if all(_zero(mine[key] - factor * theirs[key], move) for key in mine):
-        return factor
-    return None
-
-
-def _ratio(mine: Expr, theirs: Expr) -> Expr | None:
-    """A simple number that two expressions may differ by, guessed at two points.
-
-    It is a ratio of whole numbers, or its square is; None where they differ by no number.
-    """
-    flat, _ = flattened(sympy.Tuple(mine, theirs))
-    if not getattr(mine, "is_commutative", True):
-        return Integer(1) if sympy.expand(mine - theirs) == 0 else Integer(-1)
-    ratios: list[float] = []
-    for attempt in range(4):
-        a, b = floats.values(list(flat), attempt)
-        if not (math.isfinite(a) and math.isfinite(b)) or abs(b) < floats.TOLERANCE:
-            continue
-        ratios.append(a / b)
-        if floats.apart(ratios[0], ratios[-1]):
-            return None
-        if len(ratios) == 2:
-            number, square = _simple(ratios[0]), _simple(ratios[0] ** 2)
-            if number is None and square is not None:
-                return sympy.sqrt(square) * (1 if ratios[0] > 0 else -1)
-            return number
-    return Integer(1)
-
-
-LARGEST = 10_000
-"""No larger denominator is guessed."""
-
-
-def _simple(value: float) -> Rational | None:
-    """The ratio of whole numbers that a number is."""
-    guess = Fraction(value).limit_denominator(LARGEST)
-    return Rational(guess) if guess and math.isclose(guess, value, rel_tol=1e-11) else None
-
-
-def _zero(expression: Expr, move: Move) -> bool:
-    """Whether an expression vanishes, letters of known sign being so."""
-    if expression == 0:
-        return True
-    bounded = [c for c in (*move.where, *move.bounds) if c.relation == ">"]
-    signs: dict[Expr, Expr] = {}
-    for each in bounded:
-        number, letter = each.expression.as_coeff_Mul()
-        if isinstance(letter, Symbol):
-            signs[letter] = sympy.sign(number) * sympy.Dummy(positive=True)
-    signed = expression.xreplace(signs) if signs else expression
-    if vanishes(signed):
-        return True
-    if signed.atoms(IntegralOver):
-        return quadrature.vanishes(signed)
-    if not signed.is_commutative or not signed.has(sympy.Pow):
-        return False
-    flat, relations = flat_with(expression, bounded)
-    flat, known = flat.xreplace(signs), [x.xreplace(signs) for x in relations]
-    sides = [x.lhs for x in known if isinstance(x, sympy.Gt)]
-    if decide.in_digits([("=", flat)], bounds=sides) is False:
-        return False
-    return bounds.vanishes_by_squares(flat, known)
 
 
 def _approximate(pair: Pair, made: Pair, order: Order, move: Move) -> RefusedError | None:

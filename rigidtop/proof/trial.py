@@ -11,10 +11,11 @@ from sympy import Expr, Integer, Symbol
 
 from rigidtop.proof import floats
 from rigidtop.proof.algebra import Algebra
-from rigidtop.proof.arrive import arrive, factor_of
+from rigidtop.proof.arrive import arrive
 from rigidtop.proof.changed import perturbations
 from rigidtop.proof.derivation import Line
 from rigidtop.proof.equation import Equation, NoMeaningError, symbols_of
+from rigidtop.proof.factor import factor_of
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known, Move, Pair, RefusedError, pairs_of, perform, put_in
 from rigidtop.proof.values import Vector, components, flattened, vanishes

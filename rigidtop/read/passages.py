@@ -13,7 +13,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from rigidtop.read.cues import (
-    Cue,
     begins_at_rest,
     cues,
     ends_moment,
@@ -23,6 +22,7 @@ from rigidtop.read.cues import (
     unequal,
 )
 from rigidtop.read.left import states
+from rigidtop.read.phrases import Cue
 from rigidtop.read.prose import Prose
 from rigidtop.read.walk import Formula
 

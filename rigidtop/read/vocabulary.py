@@ -131,7 +131,8 @@ SPACES = frozenset({r"\,", r"\;", r"\:", "\\ ", "\\\n", "~"}) | commands("thinsp
 SILENT: Final = (
     commands("displaystyle textstyle scriptstyle limits nolimits nonumber notag middle allowbreak")
     | commands("boxed fbox mathop mathord mathrel mathbin ensuremath displaylimits strut mathstrut")
-    | commands("null relax qedhere smash mathclap protect hfil centering nobreak noindent cancel")
+    | commands("null relax smash mathclap protect hfil centering nobreak noindent cancel")
+    | commands("qed qedhere qedsymbol blacksquare")
     | commands("bcancel xcancel underbracket hline toprule midrule bottomrule pqty bqty")
     | {f"\\{size}{side}" for size in ("big", "Big", "bigg", "Bigg") for side in ("", *"lrm")}
     | {r"\!", r"\/", r"\-", "$", r"\)", r"\(", r"\[", r"\]", "​", r"\$"}

@@ -58,3 +58,21 @@ def test_what_is_right_passes(text):
 )
 def test_another_body_may_have_another_frequency(text):
     assert judged(text)[-1].outcome.passed is not False
+
+
+ROCKET = r"""
+$$m\dot v = -u\dot m$$
+At $t = 0$ it starts with $v = 0$ and $m = m_0$. Hence
+$$v = u\ln\frac{m_0}m$$
+and so
+$$m = m_0e^{-v/u}$$
+When the rocket has become as fast as its gas, $v = u$, there is left of it
+$$m = m_0e^{-1}$$
+"""
+
+
+@pytest.mark.parametrize(("sign", "passed"), [("-", True), ("", False)])
+def test_what_has_been_integrated_holds_from_there_on(sign, passed):
+    *_, exponential, _, last = judged(ROCKET.replace("e^{-v/u}", f"e^{{{sign}v/u}}"))
+    assert exponential.outcome.passed is passed
+    assert last.outcome.passed

@@ -4,9 +4,9 @@ import time
 
 import pytest
 
-from rigidtop.read.cues import Cue
 from rigidtop.read.declared import Word, declared
 from rigidtop.read.passages import passages
+from rigidtop.read.phrases import Cue
 
 
 def names(source, **how):

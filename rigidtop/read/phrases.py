@@ -1,0 +1,351 @@
+"""The words that say something of a formula, in English, German and French, and what they say.
+
+In them § stands for a letter or another formula, and ¶ for the end of a title.
+"""
+
+from __future__ import annotations
+
+from enum import Enum, auto
+
+
+class Cue(Enum):
+    """One thing that words say of a formula."""
+
+    MOMENT = auto()
+    """It holds at one moment or place only: "at the start", "where § = 0"."""
+    CASE = auto()
+    """It is supposed of what follows: "suppose", "for a horizontal top"."""
+    DEFINED = auto()
+    """It gives something a name: "with", "let", "we call"."""
+    CONSTANT = auto()
+    """The letter, or the left side, is constant."""
+    SMALL = auto()
+    """It holds for small angles, or to first order."""
+    LARGE = auto()
+    """It holds for what is large, as the spin of a fast top."""
+    APPROXIMATED = auto()
+    """An = in it is meant approximately, since something was said to be small before."""
+    GENERAL = auto()
+    """A case or an approximation is taken back: "in general", "exactly", "for all times"."""
+    CONDITION = auto()
+    """An inequality that something rests on: "if § ≠ 0"."""
+    ASKED = auto()
+    """It is asked or denied: "show that", "it is wrong that"."""
+    DERIVED = auto()
+    """It follows from what was said: "hence"."""
+    GIVEN = auto()
+    """It is taken from elsewhere: "according to", "experiment shows"."""
+    ORIGIN = auto()
+    """It says where a letter counts from: "§ is the lowest position"."""
+    RANGE = auto()
+    """It says where something begins, or where it ends: "from § to §"."""
+    ANEW = auto()
+    """It is what something is after a change: "the new energy is"."""
+    DIVISOR = auto()
+    """Something is divided by it."""
+    CONSERVED = auto()
+    """Since the statement before it is said that energy is conserved."""
+    KEPT = auto()
+    """Since the statement before it is said that what that speaks of is conserved."""
+    MOMENTUM_KEPT = auto()
+    """The same of a momentum."""
+    VANISHING = auto()
+    """What was spoken of before vanishes there: "it is zero for"."""
+    EXTREME = auto()
+    """What was spoken of before is greatest or least there."""
+    POSITIVE = auto()
+    """It is the positive one of two roots."""
+    NEGATIVE = auto()
+    """It is the negative one."""
+    CIRCLE = auto()
+    """It holds on a circle."""
+    OSCILLATION = auto()
+    """It says how fast something oscillates: "the period is"."""
+    EQUILIBRIUM = auto()
+    """It holds in an equilibrium."""
+    REST = auto()
+    """Words since the formula before say that everything begins at rest: "released"."""
+
+
+_THE = r"(?:the|an?|its|our|their|some|der|die|das|dem|den|eine?[mnrs]?|les?|la|une?|l')"
+_NOUN = rf"(?: {_THE})?(?: [\w'-]+){{0,4}}"
+_START = r"(?:^|[,;:.(–¶] ?|\b(?:and|while|but|or|so|that|now|then|we|us|I|und|wir|et|dass|que) )"
+_BEING = r"(?:is|are|be|being|remains?|stays?|ist|sind|bleib(?:t|en)|est|sont|reste(?:nt)?)"
+_AND = r"(?:,? ?(?:and|und|et|,) §)*,? ?"
+_FIXED = (
+    r"(?:constant|const\b|conserved|fixed|unchanged|the same|konstant|erhalten|fest|unverändert"
+    r"|constante?s?|conservée?s?)"
+)
+_QUANTITY = (
+    r"(?:[\w-]+ ){0,3}(?:(?:kinetic |potential )?energ(?:y|ies)|moment(?:a|um|s)?|veloci\w+|speed"
+    r"|accelerations?|forces?|torques?|frequenc\w+|periods?|angles?|rates?|times?|Lagrangian"
+    r"|Hamiltonian|action|tensor|matri\w+|equations?|components?|coordinates?|potential|amplitudes?"
+    r"|work|power|distance|positions?|ratio|first|second|third|last|next|rest|sake|same|purposes?"
+    r"|solutions?|derivatives?|constants?|tension|mass|density|radius|length|height|sum|axes|axis)\b"
+)
+"""Words for what a letter stands for, not for the body that has it."""
+_PLACE = (
+    r"(?:start|beginning|top|bottom|end|edge|(?:turning|lowest|highest|foremost|nearest) point"
+    r"|point (?:next|nearest|closest|furthest|farthest)[^,;:§]{0,30}|(?:same |first |last )?moment"
+    r"|instant|(?:peri|ap)helion|perigee|apogee|(?:peri|apo)cent(?:re|er)|maximum|minimum|middle|cent(?:re|er)|wall|surface|axis|rim)"
+)
+_SMALL = (
+    r"(?:small(?:ness of)? (?:§|angles?|oscillations?|vibrations?|displacements?|deviations?"
+    r"|swings?"
+    r"|amplitudes?|motions?|perturbations?|disturbances?|deflections?|things|quantities|terms)"
+    r"|(?:first|second|lowest|leading|linear) order|nearly|approximately|almost|roughly"
+    r"|linear(?:is|iz)"
+    r"|neglect|dropping|(?:I|we) drop|slightly"
+    r"|kleinen? (?:§|Winkeln?|Schwingung(?:en)?|Auslenkung(?:en)?|Ausschläge|Störung(?:en)?)"
+    r"|(?:erster|zweiter|führender) Ordnung|näherungsweise|ungefähr|vernachlässig"
+    r"|fast (?:konstant|null|gleich|senkrecht)"
+    r"|petite?s? (?:§|angles?|oscillations?|mouvements?|déplacements?)|premier ordre|approximative"
+    r"|environ|presque|néglig)"
+)
+_LARGE = (
+    r"(?:large(?:st)? §|§ (?:is )?(?:very )?large\b|fast (?:\w+ )?(?:top|spin|wheel|gyroscope"
+    r"|rotation)"
+    r"|rapidly|(?:very|is) (?:large|fast)\b|(?:schnelle[rns]?) (?:\w+ )?(?:Kreisel|Rotation)"
+    r"|gro(?:ß|ss)es? §"
+    r"|toupie rapide|grande?s? (?:§|vitesses?))"
+)
+
+_POSITION = (
+    r"(?:(?:(?:rest|equilibrium|lowest|highest|hanging|upright|vertical|horizontal|initial) )?"
+    r"(?:position|configuration|point|direction)|equilibrium|bottom|top|origin|vertical"
+    r"|horizontal|level|ground|ceiling|floor|(?:Ruhe|Gleichgewichts|Null)(?:lage|punkt)"
+    r"|(?:tiefste|höchste)[nr]? (?:Lage|Stelle|Punkt)|(?:Senk|Waage)rechte|Gleichgewicht"
+    r"|Vertikale|Horizontale|(?:la )?(?:position|verticale|horizontale)(?: d['’]équilibre"
+    r"| de repos| (?:la )?plus basse| initiale)?|point le plus bas|équilibre|repos|origine)"
+)
+"""Words for a place from which a coordinate counts."""
+_POINTING = (
+    r"(?:(?:(?:hanging|hangs|pointing|points|straight|vertically|directly) ){0,2}"
+    r"(?:hanging|down(?:wards?)?|up(?:wards?|right)?|vertical(?:ly)?|horizontal(?:ly)?|below|above)"
+    r"|(?:(?:senkrecht|hängend|ganz|nach) ){0,2}(?:unten|oben|hängend|senkrecht|waagerecht)"
+    r"|(?:vers le|en) (?:bas|haut))\b"
+)
+"""Words for a direction in which something lies or hangs."""
+
+BEFORE: dict[Cue, tuple[str, ...]] = {
+    Cue.MOMENT: (
+        rf"\b(?:at|in|near|passes|reaches) (?:(?:the|its|this|that) )?{_PLACE}\b[^§]*",
+        r"(?:^|[.;¶] ?)(?:there(?! (?:is|are|was|were|exists?|remains?|must|can|will|has)\b)"
+        r"|dort|là)\b[^§]*",
+        r"(?:^|[.;¶] ?)(?:the )?(?:lowest|highest|foremost|nearest) point\b[^§]*",
+        r"\bat the (?:time|moment|instant) §[^§]*",
+        r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
+        r"\b(?:initially|at first|(?<!hangs )(?<!is )(?<!are )(?<!lies )at rest)\b[^§,]*,?",
+        r"\b(?:am (?:Anfang|Ende|Boden)|[ai]m (?:Perihel|Aphel|Perigäum|Apogäum|Umkehrpunkt"
+        r"|Scheitel|tiefsten Punkt|höchsten Punkt"
+        r"|Moment)|oben|unten|zur Zeit|zum Zeitpunkt|anfangs|zu Beginn)\b[^§]*",
+        r"(?:\b|^)(?:à l['’](?:instant|apogée|aphélie)|au (?:début|départ|sommet|périgée|périhélie"
+        r"|point le plus (?:haut|bas))|initialement"
+        r"|au moment où)\b[^§]*",
+    ),
+    Cue.CASE: (
+        rf"{_START}(?:suppos(?:e|ing)|assum(?:e|ing)|let)(?: (?:now|that|us|also|first))*{_NOUN},?",
+        rf"{_START}(?:set(?:ting)?|put(?:ting)?|tak(?:e|ing)|try)(?: (?:now|also|first|as))*",
+        r"\blet [^§.;]{1,60}:(?: § [^§.;]{1,30},)*",
+        rf"{_START}set(?:ting)? [^§=.;:]{{1,40}} = [^§=.;:]{{1,40}}",
+        r"\b(?:choos(?:e|ing)|chosen|wähl(?:e|en|t)|gewählt|choisi\w*) [^§.;:]{1,50}"
+        r"(?:such|so|sodass|dass|that|que)(?: that| dass)?",
+        r"\bI (?:assume|take|suppose)(?: that)?",
+        rf"\b(?:angenommen|nimm an|nehmen (?:wir )?an|sei(?:en)?|sind nun"
+        rf"|setze(?:n wir)?),?(?: nun| dass)*{_NOUN}",
+        rf"\b(?:supposons|soi(?:t|ent)|posons|on pose|prenons)(?: que| alors)*{_NOUN}",
+    ),
+    Cue.DEFINED: (
+        rf"(?:^|[,;:.(¶–] ?|\band )(?:with|mit|avec)(?! the (?:solution|result|help|aid)){_NOUN}",
+        rf"\b(?:let|where|defin(?:e|ing)|call(?:ing)?|denot(?:e|ing)(?: by)?|writ(?:e|ing)"
+        rf"|introduc(?:e|ing)|abbreviat(?:e|ing)|namely|i\. ?e\.){_NOUN}",
+        rf"{_START}(?:set(?:ting)?|put(?:ting)?|tak(?:e|ing))(?: (?:now|also|first|as))*",
+        r"\bI write|\bwe (?:write|call|define|introduce|put|set)(?: it)?",
+        rf"\b(?:wobei|sei(?:en)?|setze(?:n wir)?|definiere(?:n wir)?|nenne(?:n wir)?){_NOUN}",
+        rf"\b(?:(?<!d')où|soi(?:t|ent)|on pose|posons|on note|notons|appelons){_NOUN}",
+    ),
+    Cue.SMALL: (r"\b(?:small|kleine[nrms]?|petite?s?)",),
+    Cue.LARGE: (r"\b(?:large|gro(?:ß|ss)e[nrms]?|grande?s?)",),
+    Cue.CONSTANT: (
+        r"(?<!§ is )(?<!^is )\b(?:an?|the|another|one) (?:(?:\w+ )?constant(?: of (?:the )?motion)?"
+        r"|conserved (?:quantity|momentum|energy)|constant \w+)(?: is)?",
+        r"(?:Konstante|Erhaltungsgröße)(?: ist)?|(?:une|la) (?:constante"
+        r"|quantité conservée)(?: est)?",
+        r"\b(?:constant|conserved|fixed|konstante[mnrs]?|feste[mnrs]?) (?:\w+ )?",
+    ),
+    Cue.ASKED: (
+        r"\b(?:not|nicht|pas)(?: (?:true|the case|have|get|so|that|equal|wahr|dass|vrai|que|,))*",
+        r"\b(?:unless|es sei denn(?:,? dass)?|sauf si|à moins que)",
+        r"\b(?:might|could|would) (?:think|expect|guess|believe|hope)(?: that)?",
+        r"\b(?:wrong|false|no longer true|untrue|incorrect|a mistake|falsch|faux)(?: (?:that"
+        r"|to \w+(?: that)?)"
+        r"|,? dass| que)?",
+        r"\b(?:(?:show|prove|verify)\b|is it true|why is|zeigen? (?:Sie|wir)?|beweisen?(?: Sie)?"
+        r"|montre[rz]"
+        r"|démontre[rz]|est-ce)(?: that|,? dass| que)?[^.]{0,60}",
+    ),
+    Cue.DIVISOR: (
+        r"\b(?:divid(?:e|es|ed|ing)|teil(?:en|t)|dividier(?:en|t)|divis(?:e|ons|ant))"
+        r"(?: [\w'-]+){0,3} (?:by|durch|par)",
+    ),
+    Cue.ORIGIN: (
+        rf"\b{_POSITION} (?:{_BEING}|has|hat|a|corresponds to|entspricht|correspond à)"
+        r"(?: (?:at|bei|en|à))?",
+        r"\b(?:measured|counted|counts|gemessen|gezählt|zählt|mesurée?|comptée?) "
+        r"(?:from|von|ab|à partir de)",
+    ),
+    Cue.ANEW: (
+        r"\b(?:new|changed|neue[ns]?|nouvel(?:le)?) (?:[\w'-]+ ){1,4}(?:is|becomes|ist|wird"
+        r"|est|devient)"
+        r"(?: (?:now|then|thus|therefore|hence|nun|dann|daher|also|alors|donc))?",
+        r"\b(?:turns|changes|transforms|converts) (?:this|it|that|§) (?:in)?to",
+        r"\b(?:for (?:it|him|her|them|this one|that one)|für (?:ihn|sie|es)|pour (?:lui|elle))"
+        r"(?: (?:is|we have|one has|ist|gilt|on a))?",
+    ),
+    Cue.GIVEN: (
+        r"\b(?:according to|from the tables?|(?:Newton|Hooke|Kepler|Coulomb)['’]?s? (?:\w+ )?law"
+        r"|experiments? shows?|measured|by measurement|as (?:\w+ ){1,4}says|it is known|laut|gemäß"
+        r"|Gesetz|Messung|selon|d['’]après|loi de)\b[^§]*",
+        r"\b(?:(?:no|not|without) (?:slip(?:ping)?|slide|skid)\b|ohne (?:zu )?(?:gleiten|rutschen)"
+        r"|(?:rutsch|gleit)\w* nicht|sans gliss\w+|ne glisse\w* pas)[^§.]*",
+    ),
+}
+"""The words directly in front of a formula, behind which no more stands than a comma."""
+
+WITHIN: dict[Cue, tuple[str, ...]] = {
+    Cue.SMALL: (rf"\b{_SMALL}",),
+    Cue.LARGE: (rf"\b{_LARGE}",),
+    Cue.EQUILIBRIUM: (
+        r"\bstands? (?:still|at a (?:fixed|constant)\b)",
+        r"(?:^|[.;¶] ?)(?:at rest|in Ruhe|au repos)\b",
+        r"\b(?:equilibri(?:um|a)|(?:can|could) (?:stay|rest|remain)|(?:stays|rests|remains) at"
+        r"|Gleichgewicht\w*|Ruhelagen?|équilibre)\b",
+    ),
+    Cue.VANISHING: (
+        r"\b(?:it|this|that|they|(?:the|this|its) [\w-]+(?: force)?|sie|er|es|dies|die(?:se)? \w+"
+        r"|elle|il|cela|ceci|cette \w+) (?:vanish(?:es)?|(?:is|becomes) zero|verschwindet"
+        r"|(?:ist|wird) null|s'annule)(?:,? (?:at|for|if|when|where|i\. ?e\.|that is|bei|für|wenn"
+        r"|das heißt|pour|quand|si)\b|,|\Z)",
+        r"\b(?:does|do) not (?:move|roll|slide|turn|accelerate)(?: at all)? (?:if|for)\b",
+        r"\b(?:stays|remains|is|bleibt|reste) (?:at rest|in Ruhe|au repos)[^§.;:]{0,40}"
+        r" (?:if|for|wenn|für|si|pour)\b",
+    ),
+    Cue.EXTREME: (
+        r"\b(?:greatest|largest|highest|maximum|maximal|smallest|least|lowest|minimum|minimal)"
+        r"(?! (?:point|position|lage))(?: [\w'-]+){0,6} (?:at|for|if|when|where|is at|occurs?)\b",
+        r"\b(?:größte\w*|maximal\w*|kleinste\w*|minimal\w*|Maximum|Minimum)(?: [\w'-]+){0,4}"
+        r" (?:bei|für|wenn|wo)\b",
+        r"\b(?:l[ea] plus (?:grande?|petite?)|maximale?|minimale?|maximum|minimum)"
+        r"(?: [\w'-]+){0,4} (?:pour|quand|si|en)\b",
+    ),
+    Cue.POSITIVE: (
+        r"\bpositive(?:[rn]? (?:Wurzel|Lösung)| (?:root|solution|value))"
+        r"|\b(?:racine|solution) positive\b",
+    ),
+    Cue.NEGATIVE: (
+        r"\bnegative(?:[rn]? (?:Wurzel|Lösung)| (?:root|solution|value))"
+        r"|\b(?:racine|solution) négative\b",
+    ),
+    Cue.CIRCLE: (r"\b(?:on an? (?:\w+ )?circle|circular|Kreisbahn\w*|circulaire)\b",),
+    Cue.OSCILLATION: (
+        r"\b(?:\w*(?:frequen[cz]|fréquen|pulsation|oscill|vibrat|swing|schwing|librat|hunting)"
+        r"|periods?\b|Perioden?\b|périodes?\b)",
+    ),
+    Cue.GENERAL: (
+        r"\b(?:in general|generally|again|exact(?:ly)?|without (?:the |this )?approximations?"
+        r"|on the other hand|(?:for|at|in) (?:any|all|every|each)(?: other)?(?:\Z| (?:times?|t\b|§"
+        r"|moments?|points?|places?|positions?|distances?|angles?|instants?|motions?))"
+        r"|everywhere|throughout|all the way|(?:on|during|along) the whole \w+|überall|partout"
+        r"|(?<!as )always"
+        r"|(?:im )?allgemein(?:en)?|wieder|exakt|genau|andererseits|jederzeit|zu jeder Zeit|stets"
+        r"|en général|à nouveau|exactement|d['’]autre part|à tout instant|toujours)\b",
+    ),
+    Cue.DERIVED: (
+        r"\b(?:hence|so(?! far)|therefore|thus|then|it follows|gives?|(?:we|I|one) (?:gets?|sees?"
+        r"|finds?|obtains?|have|has)"
+        r"|becomes?|consequently|yields?|leads? to|that is|from (?:this|these|which|it)|implies"
+        r"|daher|daraus|das ist|das heißt|folgt|somit|ergibt|dann|liefert"
+        r"|(?:man|wir) (?:erh[aä]lt(?:en)?|bekommt?)|d['’]où|donc|ainsi|alors|donne|c['’]est-à-dire"
+        r"|on (?:obtient|trouve|en déduit))\b|, also\b",
+    ),
+}
+"""Words anywhere in front of a formula, since the one before."""
+
+BEHIND: dict[Cue, tuple[str, ...]] = {
+    Cue.CONSTANT: (
+        rf",? ?(?:which |that |die |der |qui )?{_BEING} (?:\w+ )?(?:an? |the |une? |eine? )?"
+        rf"{_FIXED}",
+        rf"{_AND}(?:are|remain|stay|sind|bleiben|sont|restent) (?:\w+ )?(?:the |des )?{_FIXED}",
+        rf"{_AND}(?:both |all )?(?:fixed|const(?:ant)?|konst(?:ant)?|constante?s?|conserved|fest)"
+        r"\b",
+        rf"{_AND}(?:does|do) not (?:change\b(?! under| with| if)|depend on (?:the )?time)",
+        r",? ?(?:which )?(?:ändert sich nicht|ne (?:change|varie) pas|bleibt erhalten)",
+        rf"{_AND}(?:keeps? (?:its|their) values?|behalten (?:ihren|ihre) Werte?"
+        r"|gardent leurs? valeurs?)",
+    ),
+    Cue.SMALL: (
+        rf",? ?\(?(?:for|if|when|to|in|up to|für|bis|pour|au) [^§.;]{{0,20}}?{_SMALL}",
+        rf"{_AND}(?:{_BEING} )?(?:very |sehr |très )?(?:small|klein|petite?s?)\b",
+    ),
+    Cue.LARGE: (
+        rf",? ?\(?(?:for|if|when|für|pour) (?:an? |the )?{_LARGE}",
+        rf"{_AND}(?:{_BEING} )?(?:very |sehr |très )?(?:large|groß|gross|grande?s?)\b",
+    ),
+    Cue.ORIGIN: (
+        rf",? ?\(?(?:(?:{_BEING}|for|as|als|comme|when|where|if|wenn|wo|si|means|heißt"
+        rf"|corresponds to|entspricht|correspond à|denotes|marks) )?"
+        rf"(?:(?:it|he|she|er|sie|es|elle|il) )?(?:hangs )?"
+        rf"(?:(?:at|in|bei|im|à|au|en) )?(?:{_THE} ?)?(?:{_POSITION}\b|{_POINTING})",
+    ),
+    Cue.MOMENT: (rf",? ?(?:at|in|near) the {_PLACE}\b|,? ?(?:initially|am Anfang|au début)\b",),
+    Cue.GENERAL: (r",? ?(?:for all (?:times?|t|§)|at (?:any|all) times?|always|stets|toujours)\b",),
+    Cue.ASKED: (
+        r"[^.]*\?",
+        r",? ?(?:would be|is|are|was) (?:wrong|false|not true|no longer)|,? ?does not hold",
+    ),
+}
+"""The words directly behind a formula."""
+
+INLINE: dict[Cue, tuple[str, ...]] = {
+    Cue.MOMENT: (
+        r"(?<!look )(?<!arrive )(?<!is )(?<!are )(?<!lies )\b(?:at|at (?:the )?(?:time|moment"
+        r"|instant|place|point)|when|whenever)",
+        r"\b(?:there|point|place|moment|instant|time|angle)\b[^§.;:]{0,30} where(?: now)?",
+        r"\b(?:bei|sobald|zur Zeit|zum Zeitpunkt)|, wo",
+        r"\b(?:en|(?<!rapport )à|lorsque|quand|à l'instant)",
+        r"(?:^|[.;¶] ?)(?:when|once|as soon as|wenn|sobald|quand|lorsque|dès que) [^,;:.§]{0,40}"
+        r"\b(?:has|have|reach\w*|arrives?|comes?|stops?|hat|ist|erreicht|ankommt|atteint|arrive"
+        r"|s'arrête|a)\b[^,;:.§]{0,40},",
+        r"\b(?:obtained|reached|found|follows|occurs|happens|ergibt sich|erreicht|folgt|gilt"
+        r"|s'obtient|atteinte?) (?:for|für|pour)",
+    ),
+    Cue.RANGE: (r"\b(?:from|between|von|zwischen|de|entre)(?: § (?:to|and|bis|und|à|et))?",),
+    Cue.DEFINED: (r"(?<!agrees )(?<!compare )(?<!comparing )\b(?:with|mit|avec)",),
+    Cue.CASE: (
+        r"\b(?:if|only if|in (?:the|this|a)(?: \w+)? case[^§.;:]{0,50}"
+        r"|provided(?: that)?|as long as|falls|sofern|solange|wenn|im Fall(?:e)?(?: dass)?"
+        r"|si|pourvu que|dans le cas)",
+        rf"{_START}(?:for|on|during|für|pour|sur)"
+        r"(?! (?:example|instance|comparison|convenience|short|simplicity"
+        r"|its|his|their|this|that|which|it|all"
+        r"|each|every|any|both|our|en|trouve|obtient|pose|note|voit)\b| an?[ ,]*\Z)(?: (?!the\b"
+        r"|at\b)[\w'-]+){1,5}"
+        r"(?:, [^,;:.(§]{1,24})?",
+        rf"{_START}for the(?! {_QUANTITY})(?: (?!the\b|at\b)[\w'-]+){{1,5}}",
+        rf"{_START}(?:for|für|pour)",
+        r"(?:^|[.¶] ?)(?:when|if|wenn|falls|si|lorsque|quand) [^,;:.§]{1,60},",
+        rf"{_START}(?:without|ohne|sans) [^,;:.§]{{1,30}},?",
+        r"\b(?:if|when|wenn|falls|si|lorsque) [^.;:]{1,150}[ ,](?:then|dann|alors)",
+        r"\b(?:if|when|suppose|place|put|choose) [^.;:§]{1,80}\b(?:so|such) that",
+        rf"{_START}on the (?!other|one)[\w -]{{1,20}},",
+        rf"{_START}while an? [^,;:.(§]{{1,30}},",
+        rf"{_START}in (?:steady|uniform|circular|equilibrium|free) [^,;:.§]{{0,30}}\(?",
+    ),
+    Cue.CONDITION: (r"\(|\b(?:for|für|pour|where|with)",),
+}
+"""The words directly in front of a formula within the line, which stands beside the sentence.
+
+What they suppose of an inequality is a condition; a display is what the sentence says itself.
+"""
+TITLED = (r"[^¶]*\w[^¶]*¶[ ,.:–-]*", r"[^§]*\w[^§]*¶ ?(?:then|now|dann|nun|alors)")
+"""In front of a formula: it stands directly behind a title, which says what is supposed."""
