@@ -9,7 +9,8 @@ A bucket hangs from a drum: $$ m\ddot x = m g - S $$ $$ J\dot\omega = r S $$
 The rope unwinds, $\dot x = r\omega$. It carries
 """
 POINTER = (
-    r"The pointer of an instrument obeys $$ J\ddot\varphi = -D\varphi - c\varphi $$ and" + "\n"
+    r"The pointer of an instrument obeys $$ J\ddot\varphi = -D\varphi - c\varphi $$ and swings with"
+    + "\n"
 )
 BAR = r"""
 A bar in an orbit swings: $$ \ddot\vartheta = -3n^2\sin\vartheta\cos\vartheta. $$
