@@ -55,7 +55,7 @@ class Worker:
         logging.disable(logging.CRITICAL)  # a broken message is answered, or skipped
         threading.Thread(target=listening, daemon=True).start()
         try:
-            while True:
+            while not self._over.is_set():  # an interrupt within a destructor is lost
                 self._jobs.get()()
         except KeyboardInterrupt:
             if not self._over.is_set():
