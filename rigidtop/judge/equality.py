@@ -20,7 +20,8 @@ from rigidtop.judge import (
     worth,
 )
 from rigidtop.judge.brackets import convention
-from rigidtop.judge.context import LAW, Constraint
+from rigidtop.judge.context import LAW, PLACE, SETTING, Constraint
+from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.counterexample import refuted
 from rigidtop.judge.faults import NUMBERS
 from rigidtop.judge.laws import LAGRANGIANS, hamilton, lagrange
@@ -78,9 +79,20 @@ def _judged(question: Question) -> Judgement:
         path = paths.path_of(question)
         outcome, context = question.follows()
         if path is None:  # no world knows the way from the start
-            return outcome, context.holding(question.constraint(PREMISE))
+            kind = SETTING if _is_special(question) else SUPPOSED
+            return outcome, context.holding(question.constraint(kind))
         return outcome, context.defining(path.letter, path.definition)
     return _failed(question, holds)
+
+
+def _is_special(question: Question) -> bool:
+    """Whether a special case is among what it follows from: it ends with that."""
+    near = {each.constraint for each in question.grounds.near}
+    cases = (c for c in question.context.constraints if c.kind in (SETTING, PLACE))
+    supposed = (d for d in question.context.definitions.values() if d.supposed)
+    return any(c in near and not c.instant for c in cases) or any(
+        d.number in question.rests_on for d in supposed
+    )
 
 
 def _nothing(question: Question) -> Judgement | None:
@@ -134,8 +146,8 @@ def _vacuous(question: Question) -> Judgement | None:
     sides = (side for pair in question.both for side in pair)
     terms = [x for side in sides for x in Add.make_args(side) if x != 0]
     general = replace(context, constraints=kept, definitions=named)
-    left = len(kept) + len(named) < len(context.constraints) + len(context.definitions)
-    if not left or (terms and len(terms) < 2) or not question.worlds.vanish(terms):
+    is_case = len(kept) + len(named) < len(context.constraints) + len(context.definitions)
+    if not is_case or (terms and len(terms) < 2) or not question.worlds.vanish(terms):
         return None
     other = replace(question.within(general), asked=None)
     if other.worlds.holds(other.both):
@@ -334,7 +346,7 @@ def _one_root(question: Question) -> Judgement | None:
     conditions = (f"{latex(question.left)} = {latex(question.right)}",)
     why = "it is one of two roots"
     outcome = Outcome(ASSUMING, why, question.rests_on, conditions=conditions)
-    return outcome, context.holding(question.constraint(PREMISE))
+    return outcome, context.holding(question.constraint(SUPPOSED))
 
 
 def _is_of_sign(question: Question, sign: int) -> bool:

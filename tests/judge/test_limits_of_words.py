@@ -76,3 +76,18 @@ def test_what_has_been_integrated_holds_from_there_on(sign, passed):
     *_, exponential, _, last = judged(ROCKET.replace("e^{-v/u}", f"e^{{{sign}v/u}}"))
     assert exponential.outcome.passed is passed
     assert last.outcome.passed
+
+
+def test_what_has_been_integrated_in_a_case_ends_with_it():
+    *_, there, in_general, square = judged(r"""
+$$m\dot v = -\mu m g$$
+It starts with $v = w$ at $t = 0$. Without friction, $\mu = 0$, it keeps its speed:
+$$v = w$$
+In general
+$$v = w$$
+and
+$$v^2 = w^2$$
+""")
+    assert there.outcome.passed
+    assert not in_general.outcome.passed
+    assert not square.outcome.passed
