@@ -25,14 +25,7 @@ def placed(statement: Statement, at: Situation, context: Context) -> list[Contex
     """
     instant = at.instant or (START if at.begins else "")
     names_it = is_setting(statement.sides[0], statement.sides[-1], ())
-    zeros = (
-        [*dict.fromkeys((context.said[0], context.said[-1]))]
-        if at.vanishes and context.said
-        else []
-    )
-    zeros += _slopes(statement, context) if at.extreme else []
-    about = bool(context.said) and _speaks_of(statement, context.said[0])
-    zeros = [x for x in zeros if x != Number("0") and not about and not _speaks_of(statement, x)]
+    zeros = _zeros(statement, at, context)
     still = _still(at, context)
     # Where each of its terms vanishes a line would say nothing.
     rates = moving_in(statement) & {*still}
@@ -60,11 +53,20 @@ def placed(statement: Statement, at: Situation, context: Context) -> list[Contex
     return [_vanishing(context, at, [first]), *(_vanishing(bare, at, [x]) for x in others)]
 
 
+def _zeros(statement: Statement, at: Situation, context: Context) -> list[Node]:
+    """What is zero there: what the line above is about, what that is equal to, or its slope."""
+    if not context.said or _speaks_of(statement, context.said[0]):
+        return []
+    sides = [context.said[0], context.said[-1]] if at.vanishes else []
+    sides += _slopes(statement, context) if at.extreme else []
+    return [x for x in dict.fromkeys(sides) if x != Number("0") and not _speaks_of(statement, x)]
+
+
 def _slopes(statement: Statement, context: Context) -> list[Node]:
     """The slopes of what the line above is about by the letter that is given a value."""
     side = statement.sides[0]
     letter = side.base if isinstance(side, Power) else side
-    if not isinstance(letter, Letter) or not context.said:
+    if not isinstance(letter, Letter):
         return []
     bare = letter if letter in context.letters else replace(letter, sub="")
     return [Derivative(context.said[-1], (bare,))] if bare in letters(context.said[-1]) else []
