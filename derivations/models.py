@@ -295,7 +295,8 @@ def picture() -> Model:
         s.phidot: precession,
         s.thetadot: Integer(0),
     }
-    return _model("", meaning, {s.phi: precession}, frame=sympy.zeros(3, 1), omega=s.omega3 * axis)
+    rates = {s.phi: precession, s.theta: Integer(0)}
+    return _model("", meaning, rates, frame=sympy.zeros(3, 1), omega=s.omega3 * axis)
 
 
 @cache
