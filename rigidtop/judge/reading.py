@@ -7,13 +7,16 @@ import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import lru_cache
+from itertools import zip_longest
 from math import inf
 from typing import Final
 
 from rigidtop.judge.habits import functions_of, has_length
 from rigidtop.read.macros import Macro, Macros, customary, defined
 from rigidtop.read.passages import Passage, passages
+from rigidtop.read.phrases import Cue
 from rigidtop.read.statements import statements
+from rigidtop.read.unmarked import as_tex
 from rigidtop.read.walk import places
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -43,16 +46,50 @@ def read_text(
 def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -> Read:
     """What each formula states, read with the functions of the whole text."""
     text = [replace(x, text=_MARGIN.sub(lambda m: " " * len(m[0]), x.text)) for x in text]
+    text = _with_units(text)
+    text = [replace(x, text=_THIN.sub(_closed_up, x.text)) for x in text]
     if any(_POINT.search(passage.text) for passage in text):
         text = [replace(x, text=_THOUSANDS.sub(_closed_up, x.text)) for x in text]
     own = frozenset(macros.items())
     once = [each for passage in text for each in _read(passage, own, until)]
     known, lettered = functions_of(once), has_length(once)
     read = [
-        (passage, each) for passage in text for each in _read(passage, own, until, known, lettered)
+        (passage, _excepted(each) if Cue.EXCEPTED in passage.cues else each)
+        for passage in text
+        for each in _read(passage, own, until, known, lettered)
     ]
+    read = _written_for(read)
     table = str.maketrans(_shapes(each for _, each in read))
     return [(passage, _folded(each, table)) for passage, each in read] if table else read
+
+
+_WRITES = re.compile(r"\b(?:write|writing|put|use|abbreviate|schreiben?|écri\w+|note)\b", re.I)
+_FOR = re.compile(r"\s*(?:for|für|pour|instead of|statt)\s*§")
+
+
+def _written_for(read: Read) -> Read:
+    """A text in which "I write $A$ for $B$, $C$ for $D$" says that A = B and C = D."""
+    made: list[tuple[Passage, Statement | Unread]] = []
+    writing = -1  # the sentence that says so
+    for passage, each in read:
+        if made and isinstance(each, Statement) and len(each.sides) == 1:
+            before, last = made[-1]
+            says = _WRITES.search(before.before) or writing == before.sentence
+            named = says and _FOR.match(before.behind) and before.sentence == passage.sentence
+            if named and isinstance(last, Statement) and len(last.sides) == 1:
+                writing = before.sentence
+                said = Statement((*last.sides, *each.sides), ("=",), last.position)
+                made[-1] = replace(before, cues=before.cues | {Cue.DEFINED}), said
+                continue
+        made.append((passage, each))
+    return made
+
+
+def _excepted(each: Statement | Unread) -> Statement | Unread:
+    """An equation that words exclude as what it says then: that both sides differ."""
+    if isinstance(each, Statement) and each.relations == ("=",):
+        return replace(each, relations=("≠",))
+    return each
 
 
 _MARGIN = re.compile(
@@ -63,11 +100,46 @@ _MARGIN = re.compile(
 _POINT = re.compile(r"\d\.\d")
 _THOUSANDS = re.compile(r"(?<![\d.])\d{1,3}(?:\{,\}\d{3})+(?!\d)")
 """A comma between thousands, where a point stands before decimals."""
+_THIN = re.compile(r"(?<![\d.,}])\d{1,3}(?:\\,\d{3})+(?!\d)")
+"""A thin space between thousands."""
+
+
+_NAME = (
+    r"(?:mm|cm|km|m|kg|ms|min|s|h|k?N|[kM]?J|k?W|[kMG]?Pa|k?Hz|rad)"
+    r"(?:\^?-?\d|[²³]|⁻[¹²³])?"
+)
+_UNIT_BEHIND = re.compile(rf"\s*(?P<unit>{_NAME}(?:[ /·]{_NAME})*)(?=[\s,.;:)§]|\Z)")
+_MEASURED = re.compile(
+    r"[=≈x]\s*-?[\d.,{}]+(?:\s*\\(?:cdot|times)\s*10\s*\^\s*(?:\d|\{-?\d+\}))?\s*\Z"
+)
+"""A number at the end of a formula."""
+_RAISED = str.maketrans({"²": "^2", "³": "^3", "·": " ", "⁻": "^-", "¹": "1"})
+
+
+def _with_units(text: Sequence[Passage]) -> list[Passage]:
+    """Formulas with the units that stand as words behind them: "$k = 120$ N/m", "9.81$ m/s$^2$"."""
+    made: list[Passage] = []
+    raised = False
+    for passage, following in zip_longest(text, text[1:]):
+        if raised:  # what raises the unit before
+            raised = False
+            continue
+        unit = _UNIT_BEHIND.match(passage.behind)
+        if passage.display or unit is None or not _MEASURED.search(passage.text):
+            made.append(passage)
+            continue
+        name = unit["unit"].translate(_RAISED)
+        last = passage.behind.startswith("§", unit.end())
+        power = following.text if following is not None and last else ""
+        raised = bool(re.fullmatch(r"\^\s*(?:\d|\{-?\d+\})", power))
+        written = f"{passage.text}\\,\\mathrm{{{name}{power if raised else ''}}}"
+        made.append(replace(passage, text=written))
+    return made
 
 
 def _closed_up(match: re.Match[str]) -> str:
     """A number without commas, and as long as before."""
-    return match[0].replace("{,}", "").ljust(len(match[0]))
+    return match[0].replace("{,}", "").replace("\\,", "").ljust(len(match[0]))
 
 
 def _read(
@@ -79,7 +151,12 @@ def _read(
 ) -> Sequence[Statement | Unread]:
     if time.process_time() > until:
         return (Unread(0, LATE),)
-    return _statements(_whole(passage), macros, functions, lettered)
+    text = _whole(passage)
+    if passage.display or "\\" in passage.text:
+        return _statements(text, macros, functions, lettered)
+    text, before = as_tex(text)
+    read = _statements(text, macros, functions, lettered)
+    return tuple(replace(each, position=before(each.position)) for each in read)
 
 
 @lru_cache(maxsize=5_000)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from math import inf
 
 from rigidtop.judge.ahead import explained_first
-from rigidtop.judge.context import Context, Habits, Limit
+from rigidtop.judge.context import START, Context, Habits, Limit
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time, time_of
@@ -192,8 +192,11 @@ def _step(
     at = situation(passage, asked.number, moment, passage.scope != scope, read.names)
     at = replace(at, case=asked.is_case)
     if at.instant and is_time(each):
+        outcome = Outcome(UNDECIDED)
+        if at.instant != START and at.instant not in context.instants:
+            outcome, _ = in_time(judge, each, at, context, until)
         context = replace(context, instants={**context.instants, at.instant: time_of(each)})
-        return row(Outcome(DEFINITION, "a moment")), context
+        return row(outcome if outcome.passed else Outcome(DEFINITION, "a moment")), context
     outcome, context = in_time(judge, each, at, context, until)
     if Cue.CONSERVED in passage.cues and outcome.verdict == DEFINITION:
         context = with_energy(context, asked.number, passage.scope)
@@ -244,28 +247,12 @@ def situation(
     passage: Passage, number: int, instant: str, opens: bool, names: frozenset[Letter]
 ) -> Situation:
     """What the words around a statement say of it."""
-    cues = passage.cues
     return Situation(
         number,
         passage.scope,
         instant,
         passage.sentence,
-        supposed=bool(cues & {Cue.CASE, Cue.CONDITION}),
-        derived=Cue.DERIVED in cues and Cue.GIVEN not in cues,
-        defined=Cue.DEFINED in cues,
-        small=Cue.SMALL in cues or Cue.APPROXIMATED in cues,
-        large=Cue.LARGE in cues,
-        asked=Cue.ASKED in cues,
-        origin=Cue.ORIGIN in cues,
-        anew=Cue.ANEW in cues,
-        ranges=Cue.RANGE in cues,
-        oscillates=Cue.OSCILLATION in cues,
-        begins=Cue.REST in cues,
-        balanced=Cue.EQUILIBRIUM in cues,
-        circular=Cue.CIRCLE in cues,
-        vanishes=Cue.VANISHING in cues,
-        extreme=Cue.EXTREME in cues,
-        sign=(Cue.POSITIVE in cues) - (Cue.NEGATIVE in cues),
+        passage.cues,
         inline=not passage.display,
         opens=opens,
         declared=names,

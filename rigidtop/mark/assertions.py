@@ -54,9 +54,9 @@ def asserted(
             continue  # a moment: what is said of it has its own place there
         at = situation(passage, number, moments[number], False, names)
         if _is_supposed(passage, each):
-            at = replace(at, supposed=True)
+            at = at.hearing(Cue.CASE)
         if large[number]:
-            at = replace(at, large=True, small=False)
+            at = replace(at, cues=at.cues - {Cue.SMALL, Cue.APPROXIMATED} | {Cue.LARGE})
         statement, time = at_one_time(_in_letters_of(each, read, task.contexts), moving)
         at = replace(at, instant=at.instant if time is None else instant_at(time))
         yield line, statement, replace(at, closed=True)

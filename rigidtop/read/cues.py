@@ -93,6 +93,8 @@ def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
             heard = heard - {Cue.ORIGIN}
         if _WHERE.search(before) and _VANISHING.search(text):
             heard = heard - {Cue.DEFINED} | {Cue.MOMENT}
+        if Cue.EXCEPTED in heard:
+            heard = heard - {Cue.MOMENT, Cue.CASE, Cue.ASKED}
     elif _THAT_IS.search(before):
         heard = heard - {Cue.CASE} | {Cue.DERIVED}
     if Cue.ORIGIN in heard:
@@ -117,7 +119,7 @@ def passed_on(
     the one and the other stand on a line of their own.
     """
     moment = heard & {Cue.MOMENT} if not _CONCLUSION.search(before) else frozenset()
-    moment |= heard & {Cue.EQUILIBRIUM, Cue.OSCILLATION, Cue.CIRCLE}
+    moment |= heard & {Cue.EQUILIBRIUM, Cue.OSCILLATION, Cue.CIRCLE, Cue.EQUAL_MASSES}
     if Cue.RANGE in heard and _TO.fullmatch(before.strip()):
         moment |= {Cue.RANGE}
     if not enumerates(before):

@@ -35,6 +35,8 @@ class Cue(Enum):
     """It follows from what was said: "hence"."""
     GIVEN = auto()
     """It is taken from elsewhere: "according to", "experiment shows"."""
+    EXCEPTED = auto()
+    """It is excluded: "not at the poles, where"."""
     ORIGIN = auto()
     """It says where a letter counts from: "§ is the lowest position"."""
     RANGE = auto()
@@ -57,6 +59,10 @@ class Cue(Enum):
     """It is the positive one of two roots."""
     NEGATIVE = auto()
     """It is the negative one."""
+    PARTICULAR = auto()
+    """It is one of several motions, and not the one from the start."""
+    EQUAL_MASSES = auto()
+    """It holds for equal masses."""
     CIRCLE = auto()
     """It holds on a circle."""
     OSCILLATION = auto()
@@ -129,11 +135,13 @@ _POINTING = (
 
 BEFORE: dict[Cue, tuple[str, ...]] = {
     Cue.MOMENT: (
+        rf"(?<!acts )(?<!fixed )(?<!held )(?<!hinged )(?<!attached )(?<!applied )(?<!sits )"
         rf"\b(?:at|in|near|passes|reaches) (?:(?:the|its|this|that) )?{_PLACE}\b[^§]*",
         r"(?:^|[.;¶] ?)(?:there(?! (?:is|are|was|were|exists?|remains?|must|can|will|has)\b)"
         r"|dort|là)\b[^§]*",
         r"(?:^|[.;¶] ?)(?:the )?(?:lowest|highest|foremost|nearest) point\b[^§]*",
         r"\bat the (?:time|moment|instant) §[^§]*",
+        r"\bfrom (?:then|there|that moment) on\b[^§]*|\bvon da an\b[^§]*|\bdès lors\b[^§]*",
         r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
         r"\b(?:initially|at first|(?<!hangs )(?<!is )(?<!are )(?<!lies )at rest)\b[^§,]*,?",
         r"\b(?:am (?:Anfang|Ende|Boden)|[ai]m (?:Perihel|Aphel|Perigäum|Apogäum|Umkehrpunkt"
@@ -226,12 +234,15 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"|elle|il|cela|ceci|cette \w+) (?:vanish(?:es)?|(?:is|becomes) zero|verschwindet"
         r"|(?:ist|wird) null|s'annule)(?:,? (?:at|for|if|when|where|i\. ?e\.|that is|bei|für|wenn"
         r"|das heißt|pour|quand|si)\b|,|\Z)",
+        r"\b(?:leaves|loses (?:contact|touch)|lifts off|detaches)\b[^§.;:]{0,40}"
+        r" (?:when|if|where)\b",
         r"\b(?:does|do) not (?:move|roll|slide|turn|accelerate)(?: at all)? (?:if|for)\b",
         r"\b(?:stays|remains|is|bleibt|reste) (?:at rest|in Ruhe|au repos)[^§.;:]{0,40}"
         r" (?:if|for|wenn|für|si|pour)\b",
     ),
     Cue.EXTREME: (
-        r"\b(?:greatest|largest|highest|maximum|maximal|smallest|least|lowest|minimum|minimal)"
+        r"\b(?:greatest|largest|highest|maximum|maximal|smallest|least|lowest|minimum|minimal"
+        r"|farthest|furthest|widest|longest|shortest|quickest|fastest|slowest|best)"
         r"(?! (?:point|position|lage))(?: [\w'-]+){0,6} (?:at|for|if|when|where|is at|occurs?)\b",
         r"\b(?:größte\w*|maximal\w*|kleinste\w*|minimal\w*|Maximum|Minimum)(?: [\w'-]+){0,4}"
         r" (?:bei|für|wenn|wo)\b",
@@ -246,13 +257,23 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"\bnegative(?:[rn]? (?:Wurzel|Lösung)| (?:root|solution|value))"
         r"|\b(?:racine|solution) négative\b",
     ),
+    Cue.PARTICULAR: (
+        r"\b(?:particular|special) (?:solution|integral)|\b(?:spezielle|partikuläre) Lösung"
+        r"|\bsolution particulière",
+    ),
+    Cue.EQUAL_MASSES: (
+        r"\b(?:(?:for|with|between|if the) (?:two )?(?:equal|identical)(?: [\w-]+)?"
+        r" (?:masses|bodies|balls|weights|loads|pucks|particles|carts)"
+        r"|gleiche[nr]? Massen|masses égales)\b",
+    ),
     Cue.CIRCLE: (r"\b(?:on an? (?:\w+ )?circle|circular|Kreisbahn\w*|circulaire)\b",),
     Cue.OSCILLATION: (
         r"\b(?:\w*(?:frequen[cz]|fréquen|pulsation|oscill|vibrat|swing|schwing|librat|hunting)"
         r"|periods?\b|Perioden?\b|périodes?\b)",
     ),
     Cue.GENERAL: (
-        r"\b(?:in general|generally|again|exact(?:ly)?|without (?:the |this )?approximations?"
+        r"\b(?:in general|generally|(?<!lands )(?<!back )(?<!stops )(?<!rises )(?<!falls )again"
+        r"|exact(?:ly)?|without (?:the |this )?approximations?"
         r"|on the other hand|(?:for|at|in) (?:any|all|every|each)(?: other)?(?:\Z| (?:times?|t\b|§"
         r"|moments?|points?|places?|positions?|distances?|angles?|instants?|motions?))"
         r"|everywhere|throughout|all the way|(?:on|during|along) the whole \w+|überall|partout"
@@ -308,16 +329,22 @@ BEHIND: dict[Cue, tuple[str, ...]] = {
 
 INLINE: dict[Cue, tuple[str, ...]] = {
     Cue.MOMENT: (
-        r"(?<!look )(?<!arrive )(?<!is )(?<!are )(?<!lies )\b(?:at|at (?:the )?(?:time|moment"
-        r"|instant|place|point)|when|whenever)",
+        r"(?<!look )(?<!arrive )(?<!is )(?<!are )(?<!lies )(?<!sits )(?<!located )(?<!acts )"
+        r"(?<!fixed )(?<!held )(?<!attached )(?<!placed )(?<!stands )"
+        r"\b(?:at|at (?:the )?(?:time|moment|instant|place|point)|when|whenever)",
         r"\b(?:there|point|place|moment|instant|time|angle)\b[^§.;:]{0,30} where(?: now)?",
         r"\b(?:bei|sobald|zur Zeit|zum Zeitpunkt)|, wo",
+        r"(?:^|[.;¶] ?)(?:where|wo|là où) [^,;:.§]{1,40},",
         r"\b(?:en|(?<!rapport )à|lorsque|quand|à l'instant)",
         r"(?:^|[.;¶] ?)(?:when|once|as soon as|wenn|sobald|quand|lorsque|dès que) [^,;:.§]{0,40}"
         r"\b(?:has|have|reach\w*|arrives?|comes?|stops?|hat|ist|erreicht|ankommt|atteint|arrive"
         r"|s'arrête|a)\b[^,;:.§]{0,40},",
         r"\b(?:obtained|reached|found|follows|occurs|happens|ergibt sich|erreicht|folgt|gilt"
         r"|s'obtient|atteinte?) (?:for|für|pour)",
+    ),
+    Cue.EXCEPTED: (
+        r"\b(?:not (?:at|on|near|for)|except(?:ed)?|away from|nicht (?:bei|für|an)|außer|sauf)"
+        r"[^.;:§]{0,40} (?:where|when|if|for|wo|wenn|für|où|si|pour)",
     ),
     Cue.RANGE: (r"\b(?:from|between|von|zwischen|de|entre)(?: § (?:to|and|bis|und|à|et))?",),
     Cue.DEFINED: (r"(?<!agrees )(?<!compare )(?<!comparing )\b(?:with|mit|avec)",),
@@ -333,6 +360,7 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"(?:, [^,;:.(§]{1,24})?",
         rf"{_START}for the(?! {_QUANTITY})(?: (?!the\b|at\b)[\w'-]+){{1,5}}",
         rf"{_START}(?:for|für|pour)",
+        r"(?:^|[.;¶] ?)(?:special cases?|Sonderf[aä]lle?|cas particuliers?)\b[^.;§]{0,60}[,:]",
         r"(?:^|[.¶] ?)(?:when|if|wenn|falls|si|lorsque|quand) [^,;:.§]{1,60},",
         rf"{_START}(?:without|ohne|sans) [^,;:.§]{{1,30}},?",
         r"\b(?:if|when|wenn|falls|si|lorsque) [^.;:]{1,150}[ ,](?:then|dann|alors)",

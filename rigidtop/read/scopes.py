@@ -34,7 +34,10 @@ _THEOREMS = (
     "|proof|definition|remark|note|case|beispiel|aufgabe|satz|beweis|exemple|exercice"
     "|eg|ex|exmp|exer|defi|defn|thm|lem|prop|cor|rem|rmk|soln?|law|bsp|aufg"
 )
-_BOLD = r"\*\*|__|\\textbf[ \t]*\{|\{\\bf(?:series)?[ \t]|<b>|<strong>"
+_BOLD = (
+    r"\*\*|__|\\textbf[ \t]*\{|\{\\bf(?:series)?[ \t]|<b>|<strong>"
+    r"|\*(?=[^*\s][^*\n]{0,80}[.:]\*(?!\*))|\\(?:emph|textit)[ \t]*\{(?=[^{}\n]{1,80}[.:]\})"
+)
 _ITALIC = r"(?:\*|_|\\(?:emph|textit)[ \t]*\{)"
 _MARK = re.compile(
     r"^[ \t]{0,3}(?P<hash>#{1,6}|={2,6}|\*{2,6})[ \t]+(?=\S)"
@@ -59,7 +62,7 @@ _BLOCK_ENDS = re.compile(
     r"|\\maketitle|\\\]|\$\$|```)[.,;]?[ \t]*\Z"
 )
 """A line behind which a paragraph begins."""
-_CLOSING = {"**": r"\*\*", "__": "__", "<b>": "</b>", "<strong>": "</strong>"}
+_CLOSING = {"**": r"\*\*", "*": r"\*", "__": "__", "<b>": "</b>", "<strong>": "</strong>"}
 
 
 @dataclass(frozen=True)

@@ -356,15 +356,32 @@ class _Text(Grammar):
             self.keep(made, condition=self.condition)
         self.listing = False
 
+    def read(self, tokens: Sequence[Token]) -> list[Statement | Unread]:
+        """The statements of some tokens within this one."""
+        return _Text([*tokens], self.reading, self.depth + 1).all()
+
+    def conditioned(self, cells: Sequence[Sequence[Token]]) -> list[Statement | Unread]:
+        """A row of cases with its condition in the last cell; nothing where that says no more."""
+        if len(cells) != 2:
+            return []
+        first, behind = map(self.read, cells)
+        conditions = [x for x in behind if isinstance(x, Statement) and {*x.relations} <= _UNEQUAL]
+        if not first or len(conditions) != len(behind) or any(x.continues for x in conditions):
+            return []
+        *before, last = first
+        if not conditions or isinstance(last, Unread):
+            return []
+        return [*before, replace(last, conditions=(*last.conditions, *conditions))]
+
     def branches(self, draft: _Draft | None, token: Token) -> None:
         """The rows of cases: statements, or values of the side in front with their conditions."""
         for row in parted(token.group, "break"):
             if not row:
                 continue
-            if draft is None:
-                self.found += _Text(joined(row), self.reading, self.depth + 1).all()
-                continue
             cells = parted(row, "align")
+            if draft is None:
+                self.found += self.conditioned(cells) or self.read(joined(row))
+                continue
             value = _Text(cells[0], self.reading, self.depth + 1)
             behind = [each for cell in cells[1:] for each in cell]
             try:
@@ -378,6 +395,9 @@ class _Text(Grammar):
             rest = _Text([*value.items[value.at :], *behind], self.reading, self.depth + 1)
             rest.found, rest.condition = [made], True
             self.found[-1:] = rest.all()
+
+
+_UNEQUAL = frozenset("<>≤≥≠")
 
 
 def is_conditional(words: str) -> bool:

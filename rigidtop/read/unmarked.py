@@ -10,18 +10,22 @@ r"""Mathematics that stands in a text without dollars or the like, as in an answ
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 
 from rigidtop.read.left import SIGNS
 from rigidtop.read.walk import Formula, Walk
 
-_NAMES = frozenset(
+_GREEK = frozenset(
     re.findall(
         r"\w+",
-        "sin cos tan cot sec exp log sqrt arcsin arccos arctan const konst alpha beta gamma delta"
-        " epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi chi psi omega Omega"
-        " Theta Phi Psi",
+        "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi"
+        " chi psi omega Omega Theta Phi Psi Lambda Delta",
     )
+)
+"""Letters that are written as words."""
+_NAMES = _GREEK | frozenset(
+    re.findall(r"\w+", "sin cos tan cot sec exp log sqrt arcsin arccos arctan const konst dot ddot")
 )
 """Words that are mathematics."""
 _TOKEN = re.compile(
@@ -34,8 +38,45 @@ _TOKEN = re.compile(
     re.M,
 )
 _PROSE = re.compile(r"[A-ZÄÖÜ]?[a-zäöüß]+(?:['-][A-Za-zäöüß]+)*")
+_RATE = re.compile(rf"(?:{'|'.join(sorted(_GREEK))}|[a-zA-Z])d{{1,2}}ot")
+"""A rate that is written as a word: thetadot, xddot."""
 _VOWEL = re.compile("[aeiouyäöü]", re.I)
 _LETTER = re.compile(r"[^\W_]")
+_WORD = re.compile(
+    rf"(?<![\\A-Za-z])(?:(?P<rate>d{{1,2}}ot)\((?P<of>{'|'.join(sorted(_GREEK))}|[A-Za-z])\)"
+    rf"|(?P<greek>{'|'.join(sorted(_GREEK, key=len, reverse=True))})|(?P<latin>[A-Za-z]))"
+    r"(?:_?(?P<dots>d{1,2})ot)?(?![A-Za-z])"
+)
+"""A letter that is written as a word, or a rate of one: phi, phidot, dot(phi)."""
+
+
+def as_tex(text: str) -> tuple[str, Callable[[int], int]]:
+    r"""Mathematics in plain text as LaTeX, and what tells the position before of one in it.
+
+    >>> tex, before = as_tex("phidot = Omega")
+    >>> tex, before(tex.index("="))
+    ('\\dot{\\phi} = \\Omega', 7)
+    """
+    parts, starts, at, length = [], [(0, 0)], 0, 0
+    for match in _WORD.finditer(text):
+        if not (match["greek"] or match["dots"] or match["rate"]):
+            continue
+        name = match["of"] or match["greek"] or match["latin"]
+        letter = f"\\{name}" if name in _GREEK else name
+        rate = match["rate"] or (f"{match['dots']}ot" if match["dots"] else "")
+        behind = " " if text[match.end() :][:1].isalnum() else ""
+        new = f"\\{rate}{{{letter}}}" if rate else letter + behind
+        parts += [text[at : match.start()], new]
+        length += match.start() - at + len(new)
+        at = match.end()
+        starts.append((length, at))
+    return "".join((*parts, text[at:])), partial(_before, tuple(starts))
+
+
+def _before(starts: tuple[tuple[int, int], ...], position: int) -> int:
+    """Where a position in changed text was, each piece having begun at one place and another."""
+    new, old = max((x for x in starts if x[0] <= position), default=(0, 0))
+    return old + position - new
 
 
 def unmarked(walk: Walk) -> list[Formula]:
@@ -109,15 +150,36 @@ class _Runs:
         self.formulas.append(start)
         self.spans.append((start, end))
 
+    def opened(self, relation: int) -> int:
+        """How many spans stand before the first bracket behind a relation that does not close."""
+        open_: list[int] = []
+        for k, (start, _) in enumerate(self.spans):
+            sign = self.source[start]
+            if sign in "([{" and start > relation:
+                open_.append(k)
+            elif sign in ")]}" and open_:
+                open_.pop()
+        return open_[0] if open_ else len(self.spans)
+
     def is_prose(self, match: re.Match[str]) -> bool:
         word = match["word"]
-        if word in _NAMES or not _PROSE.fullmatch(word) or not _VOWEL.search(word):
+        if (
+            word in _NAMES
+            or _RATE.fullmatch(word)
+            or not _PROSE.fullmatch(word)
+            or not _VOWEL.search(word)
+        ):
             return False
         last = self.source[self.spans[-1][0]] if self.spans else ""
         return not (len(word) <= 3 and word.islower() and last and last in "=+-−*/·(")
 
     def close(self) -> None:
-        """End a row, and keep it if there is something on both sides of a relation in it."""
+        """End a row, and keep it if there is something on both sides of a relation in it.
+
+        A bracket that is still open behind the relation is one of the sentence.
+        """
+        if self.depth > 0 and self.relations:
+            self.spans = self.spans[: self.opened(self.relations[0])]
         if self.relations and self.spans:
             start, end = self.spans[0][0], self.spans[-1][1]
             left = self.source[start : self.relations[0]]

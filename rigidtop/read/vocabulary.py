@@ -132,7 +132,7 @@ SILENT: Final = (
     commands("displaystyle textstyle scriptstyle limits nolimits nonumber notag middle allowbreak")
     | commands("boxed fbox mathop mathord mathrel mathbin ensuremath displaylimits strut mathstrut")
     | commands("null relax smash mathclap protect hfil centering nobreak noindent cancel")
-    | commands("qed qedhere qedsymbol blacksquare")
+    | commands("qed qedhere qedsymbol blacksquare checkmark")
     | commands("bcancel xcancel underbracket hline toprule midrule bottomrule pqty bqty")
     | {f"\\{size}{side}" for size in ("big", "Big", "bigg", "Bigg") for side in ("", *"lrm")}
     | {r"\!", r"\/", r"\-", "$", r"\)", r"\(", r"\[", r"\]", "​", r"\$"}
