@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from rigidtop.judge import definitions, worth
-from rigidtop.judge.context import LINEAR, Limit
+from rigidtop.judge.context import LINEAR, Context, Definition, Limit
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, Slip, slip
 from rigidtop.judge.implicit import implicit, solves_nearly
 from rigidtop.judge.jets import jet_of, jets
@@ -25,10 +25,14 @@ from rigidtop.judge.outcome import ASSUMING, FALSE, PREMISE, UNDECIDED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.settings import is_own
 from rigidtop.judge.sides import ZERO
+from rigidtop.judge.situation import Situation
 from rigidtop.judge.values import UnclearError
 from rigidtop.judge.worlds import Worlds
+from rigidtop.read.phrases import Cue
+from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter
 from rigidtop.tree.plain import plain as in_words
+from rigidtop.tree.statement import Statement
 
 
 def judged(question: Question) -> Judgement:
@@ -65,20 +69,53 @@ def tending(question: Question) -> Judgement:
     if isinstance(left, Letter) and right in (INFINITY, ZERO) and not limits:
         limit = Limit(left, right == INFINITY, question.at.sentence)
         return Outcome(PREMISE, "a limit"), replace(context, limits=(*context.limits, limit))
+    match left, right:
+        case Letter(), Letter() if not limits and left not in context.definitions:
+            if question.at.inline:
+                return Outcome(PREMISE, "a limit"), _approaching(question, left, right)
     if not limits:
         raise UnclearError("it is not said for what it tends there")
     return judged(question)
 
 
+def limited(statement: Statement, at: Situation, context: Context) -> tuple[Statement, Context]:
+    """lim v = c as v → c, where it is said to what a letter tends; as it is if that is unclear."""
+    limit = statement.sides[0]
+    match limit:
+        case n.Limit(of, Letter() as letter, place) if statement.relations[:1] == ("=",):
+            if place in (INFINITY, ZERO):
+                small = Limit(letter, place == INFINITY, at.sentence)
+                known = replace(context, limits=(*context.limits, small))
+                sides = (of, *statement.sides[1:])
+                relations = ("→", *statement.relations[1:])
+                return replace(statement, sides=sides, relations=relations), known
+    return statement, context
+
+
 INFINITY = Letter("∞")
+_DISTANCE = Letter("ε", "→")
+"""How far a letter is from the one to which it tends."""
+
+
+def _approaching(question: Question, letter: Letter, other: Letter) -> Context:
+    """What is known where a letter tends to another one."""
+    at, sum_of_both = question.at, n.Sum((other, _DISTANCE))
+    near = Definition(sum_of_both, at.number, at.scope, supposed=True)
+    context = question.context.defining(letter, near)
+    return replace(context, limits=(*context.limits, Limit(_DISTANCE, False, at.sentence)))
 
 
 def nearly_equal(question: Question) -> Judgement | None:
     """That the sides become alike as something is small or large; None if they do not."""
     words = _alike(question, question.both, question.worlds)
+    if not words and not question.moves(*question.gaps):
+        question = question.within(_still(question.context))
+        words = _alike(question, question.both, question.worlds)
     if not words:
         return None
-    if not _alike(question, question.both, question.worlds, strictly=True):
+    limits = any(x.sentence == question.at.sentence for x in question.context.limits)
+    written = not limits or any(isinstance(x, n.Sum) for x in n.walked(question.right))
+    if written and not _alike(question, question.both, question.worlds, strictly=True):
         strictly = partial(_is_alike, question, strictly=True)
         wrong = slip(question, strictly, "\\approx", most=NEARLY_ALIKE)
         why = f"a term of it is no larger than what is left out for {words}"
@@ -93,6 +130,13 @@ def nearly_equal(question: Question) -> Judgement | None:
         context = context.holding(question.constraint(LINEAR))
     outcome = Outcome(ASSUMING, f"for {words}", question.rests_on, conditions=(words,))
     return outcome, context
+
+
+def _still(context: Context) -> Context:
+    """What is known without what moves."""
+    moving = context.habits.moving
+    kept = tuple(c for c in context.constraints if not c.letters & moving)
+    return replace(context, constraints=kept, lawless=True)
 
 
 def said(question: Question) -> Judgement | None:
@@ -128,7 +172,10 @@ def _nearly_root(question: Question) -> Outcome | None:
 
 
 def near_slip(question: Question) -> Slip | None:
-    """The one change with which the sides become alike."""
+    """The one change with which the sides become alike as what is said to be large is so."""
+    at = question.at
+    if at.large and Cue.SMALL not in at.cues:
+        question = replace(question, at=replace(at, cues=at.cues - {Cue.APPROXIMATED}))
     alike = partial(_is_alike, question)
     return slip(question, alike, "\\approx", most=NEARLY_ALIKE)
 

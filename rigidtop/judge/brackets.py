@@ -21,7 +21,13 @@ def conjugates(names: Collection[Letter]) -> list[tuple[Letter, Letter]]:
         for q in (Letter(p.sub), Letter("q", p.sub), Letter("x", p.sub), Letter("Q", p.sub))
         if p.base == ("P" if q.base == "Q" else "p") and q in names
     ]
+    if not pairs:
+        pairs = [(w, action) for w, action in _ANGLES if {w, action} <= {*names}]
     return pairs if len({p for _, p in pairs}) == len(pairs) else []
+
+
+_ANGLES = [(Letter(w), Letter(action)) for w in "wθφα" for action in "JI"]
+"""Angles with their actions."""
 
 
 def is_bracket(node: Node) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from sympy import MatrixBase
 
-from rigidtop.tree.nodes import Letter, Node, Number, letters
+from rigidtop.tree.nodes import Letter, Node, Number, Unit, letters, walked
 
 START = "start"
 """The instant at which a motion begins; the time is zero then, if nothing else is said."""
@@ -161,8 +161,16 @@ class Context:
         return replace(self, definitions=kept)
 
     def freeing(self, *nodes: Node) -> Context:
-        """Without the numbers that were given to letters of which something else is supposed."""
-        context = self
+        """Without what was supposed of letters of which something else is supposed now.
+
+        That is a number, or that both are equal.
+        """
+        kept = tuple(
+            c
+            for c in self.constraints
+            if c.kind != SETTING or c.instant or {c.left, c.right} != {*nodes}
+        )
+        context = replace(self, constraints=kept)
         for letter in nodes:
             definition = self.definitions.get(letter) if isinstance(letter, Letter) else None
             if definition is not None and isinstance(definition.node, Number):
@@ -190,6 +198,24 @@ class Context:
         kept = tuple(c for c in self.constraints if c.instant or c.kind not in ended)
         definitions = {x: each for x, each in self.definitions.items() if not each.supposed}
         return replace(self, constraints=kept, definitions=definitions)
+
+    def without_cases(self, written: frozenset[Letter]) -> Context:
+        """Without the cases in which letters have numbers, where they are written as letters."""
+
+        def is_over(letter: Node, value: Node) -> bool:
+            return letter in written and (isinstance(value, Number) or _has_unit(value))
+
+        settings = [c for c in self.constraints if c.kind == SETTING and not c.instant]
+        over = [c.number for c in settings if is_over(c.left, c.right)]
+        given = {x: d for x, d in self.definitions.items() if is_over(x, d.node)}
+        if not over and not given:
+            return self
+        over += [d.number for d in given.values() if not _has_unit(d.node)]
+        definitions = {x: d for x, d in self.definitions.items() if x not in given}
+        # What has been found in a case is over with it.
+        ended = {id(c) for c in settings if over and c.number >= min(over)}
+        kept = tuple(c for c in self.constraints if id(c) not in ended)
+        return replace(self, definitions=definitions, constraints=kept)
 
     def moved(self, moving: frozenset[Letter]) -> Context:
         """Without the places of letters of which it is said how they move."""
@@ -231,6 +257,11 @@ class Context:
             followed=followed,
             limits=tuple(each for each in self.limits if each.sentence == sentence),
         )
+
+
+def _has_unit(node: Node) -> bool:
+    """Whether it is a measured number."""
+    return not letters(node) and any(isinstance(x, Unit) for x in walked(node))
 
 
 def _reached(node: Node, definitions: Mapping[Letter, Definition]) -> list[Letter]:

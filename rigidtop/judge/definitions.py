@@ -6,9 +6,11 @@ from dataclasses import replace
 
 from sympy import MatrixBase, Symbol
 
-from rigidtop.judge.context import RULE, Definition
+from rigidtop.judge.context import PREMISE as SUPPOSED
+from rigidtop.judge.context import RULE, Constraint, Context, Definition
 from rigidtop.judge.jets import TIME
 from rigidtop.judge.laws import ENERGIES
+from rigidtop.judge.meaning import Meant
 from rigidtop.judge.names import is_vector
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import DEFINITION, Outcome
@@ -25,8 +27,10 @@ from rigidtop.tree.several import signed
 def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     """What a letter stands for that nothing has fixed yet."""
     letter, places = named(name)
-    if letter is None or question.at.instant or isinstance(other, n.Constant):
+    if letter is None or isinstance(other, n.Constant):
         return None
+    if question.at.instant and not isinstance(n.ungrouped(_bare(other)), n.Matrix):
+        return None  # the tensor about the centre is no value at one moment
     context, habits = question.context, question.context.habits
     if letter == Letter("π") and letter not in habits.own:
         return None
@@ -54,6 +58,7 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     ):
         return None  # what it is equal to is worked out
     free = letter in habits.fields or _is_replaced(question, letter, other)
+    free |= _has_columns(question, letter, other)
     if not free and _is_fixed(question, letter, value):
         return None
     if meaning.component(letter) is not None:
@@ -73,6 +78,17 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     why = f"what {in_words(name)} stands for"
     brings = frozenset({in_words(letter)})
     return Outcome(DEFINITION, why, frozenset(meaning.used), brings=brings), known
+
+
+def _bare(node: Node) -> Node:
+    """The last factor of a product."""
+    return node.factors[-1] if isinstance(node, n.Product) else node
+
+
+def _has_columns(question: Question, letter: Letter, other: Node) -> bool:
+    """Whether words give a vector its components, of which laws have spoken: with r = (x, y, 0)."""
+    at = question.at
+    return letter.bold and at.inline and not at.derived and isinstance(n.ungrouped(other), n.Tuple)
 
 
 def _is_replaced(question: Question, letter: Letter, other: Node) -> bool:
@@ -145,7 +161,7 @@ def again(question: Question) -> Judgement | None:
         if c.kind == RULE or letter not in n.letters(c.left) | n.letters(c.right)
     )
     newer = Definition(question.right, at.number, at.scope, places)
-    known = replace(context, constraints=kept).defining(letter, newer)
+    known = _given_anew(replace(context, constraints=kept), letter, newer)
     return Outcome(DEFINITION, f"{in_words(letter)} is used again"), known
 
 
@@ -159,13 +175,26 @@ def number_again(question: Question) -> Judgement | None:
     measured = any(isinstance(x, n.Unit) for x in n.walked(older.node))
     given = not own_letters(older.node) and (measured or not own_letters(question.right))
     other = at.inline and not (at.derived or question.inner)
-    other |= measured and bool(own_letters(question.right)) and not question.inner
+    again = bool(own_letters(question.right)) or not at.derived  # on the moon, g = 1.62 m/s²
+    other |= measured and again and not question.inner
     if not given or not (other or _may_be_another(question, older)):
         return None
     if compared(question.left, question.right, question.meant).passed:
         return None
-    known = context.defining(letter, Definition(question.right, at.number, at.scope))
+    known = _given_anew(context, letter, Definition(question.right, at.number, at.scope))
     return Outcome(DEFINITION, f"{in_words(letter)} is used again"), known
+
+
+def _given_anew(context: Context, letter: Letter, newer: Definition) -> Context:
+    """What is known where a letter stands for something else from here on.
+
+    An equation that has been solved for it holds as before: e = 1 in w − v = e u.
+    """
+    older = context.definitions[letter]
+    if isinstance(older.node, Meant):
+        equation = Constraint(letter, older.node, older.number, SUPPOSED, older.scope)
+        context = context.holding(equation)
+    return context.defining(letter, newer)
 
 
 def _may_be_another(question: Question, older: Definition) -> bool:

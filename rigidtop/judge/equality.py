@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import inf
 
@@ -16,21 +16,25 @@ from rigidtop.judge import (
     novelties,
     oscillations,
     paths,
+    quantities,
     settings,
     worth,
 )
 from rigidtop.judge.brackets import convention
-from rigidtop.judge.context import LAW, PLACE, SETTING, Constraint
+from rigidtop.judge.context import LAW, PLACE, SETTING, Constraint, Definition
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.counterexample import refuted
 from rigidtop.judge.faults import NUMBERS
+from rigidtop.judge.jets import rate
 from rigidtop.judge.laws import LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import ASSUMING, DEFINITION, FALSE, PREMISE, SAMPLED, UNDECIDED, Outcome
 from rigidtop.judge.program import UnknownFunctionError
-from rigidtop.judge.question import Judgement, Question
+from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.sides import ZERO, letters_of, named, other_root, own_letters
 from rigidtop.judge.values import UnclearError
+from rigidtop.judge.worlds import Worlds
+from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Letter, Node
@@ -41,7 +45,8 @@ DOES_NOT_FOLLOW = "it does not follow from what stands above"
 
 def judged(question: Question) -> Judgement:
     """The outcome of an equation and the context behind it; raises UnclearError."""
-    return oscillations.with_meaning(question, _judged(question))
+    judgement = oscillations.with_meaning(question, _judged(question))
+    return quantities.with_meaning(question, judgement)
 
 
 def _judged(question: Question) -> Judgement:
@@ -125,6 +130,10 @@ def _numbers(question: Question) -> Judgement:
         if not any(own_letters(side) & known for side in others):
             return Outcome(PREMISE, "a constant"), question.context
     outcome = compared(*sides, meant, question.rests_on_meaning)
+    if outcome.why and outcome.passed and isinstance(question.context.head, Letter):
+        head, at = question.context.head, question.at  # what it says of it is the number
+        number = Definition(question.right, at.number, at.scope)
+        return outcome, question.context.defining(head, number)
     return definitions.number_again(question) or (outcome, question.context)
 
 
@@ -196,10 +205,15 @@ def _canonical(question: Question) -> Judgement | None:
         return None
     question = replace(question.within(canonical), asked=None)
     forms = (replace(question, chosen={name: node}) for name, node in _forms(question))
-    if any(each.holds() for each in (question, *forms)):
+    if any(map(_holds_in_motion, (question, *forms))):
         return _worked_out_so(question)
     wrong = faults.slip(question, most=NUMBERS)
     return (wrong.outcome, canonical) if wrong is not None else None
+
+
+def _holds_in_motion(question: Question) -> bool:
+    """Whether the sides are equal, and not only as everything has to stand still."""
+    return question.holds() and not question.worlds.vanish([x for y in question.both for x in y])
 
 
 def _path(question: Question, holds: bool | None) -> Judgement | None:
@@ -217,6 +231,9 @@ def _path(question: Question, holds: bool | None) -> Judgement | None:
         rests_on |= question.rests_on_meaning
         solved = replace(tried, results=tried.results | {*new})
         return Outcome(SAMPLED, "it solves what stands above", rests_on), solved
+    if Cue.PARTICULAR in question.at.cues and paths.solves(question, path.value, begins=False):
+        rests_on = frozenset().union(*(each.rests_on for each in laws)) | question.rests_on_meaning
+        return Outcome(SAMPLED, "it solves what stands above", rests_on), question.context
     if paths.is_free(question):
         # One of known letters alone that solves what holds with another number is wrong.
         wrong = None if new else faults.slip(question, most=NUMBERS)
@@ -237,11 +254,25 @@ def _speed(question: Question) -> Judgement | None:
     if path is None:
         return None
     tried = replace(question, path=path)
-    if not paths.laws(tried) or not paths.solves(tried, path.value):
+    if not paths.laws(tried):
         return None
+    if not paths.solves(tried, path.value):
+        return _wrong_speed(question)
     rests_on = frozenset().union(*(each.rests_on for each in paths.laws(tried)))
     outcome = Outcome(SAMPLED, "it solves what stands above", rests_on | question.rests_on_meaning)
     return outcome, question.context.holding(question.constraint(LAW))
+
+
+def _wrong_speed(question: Question) -> Judgement | None:
+    """The slip with which a velocity has the rate that is known."""
+    moving = question.moving
+    rates = [(rate(x, moving), rate(y, moving)) for x, y in question.both]
+
+    def agree(both: Sequence[Pair], worlds: Worlds) -> bool:
+        return bool(worlds.holds([(rate(x, moving), rate(y, moving)) for x, y in both]))
+
+    wrong = faults.slip(question.of([*question.both, *rates]), agree)
+    return (wrong.outcome, wrong.context) if wrong is not None else None
 
 
 def _judged_new(question: Question, holds: bool | None) -> Judgement:
@@ -255,6 +286,7 @@ def _judged_new(question: Question, holds: bool | None) -> Judgement:
         or novelties.letters(question)
         or settings.setting(question)
         or settings.chosen(question)
+        or settings.part(question)
         or worth.number(question)
         or novelties.law(question)
         or _wrong(question, holds)

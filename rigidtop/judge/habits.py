@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from rigidtop.judge.brackets import conjugates
 from rigidtop.judge.context import TIME, Habits
 from rigidtop.judge.fields import fields_of
 from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS
 from rigidtop.judge.names import is_component
-from rigidtop.judge.starts import COORDINATES, SPEEDS
+from rigidtop.judge.starts import COORDINATES, PLACES, SPEED, SPEEDS
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.statement import Statement, Unread
@@ -81,6 +82,7 @@ _PLACES = frozenset("θφψxyzrs")
 def _passed(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
     """The place that moves a speed: θ in v² = 2gR(1 − cos θ), if v moves and nothing else does."""
     passed = set()
+    timed = _beside_time(read)
     for each in read:
         if each.relations != ("=",):
             continue
@@ -89,9 +91,23 @@ def _passed(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter
         names = n.letters(right)
         places = {x for x in names if x.base in _PLACES and not (x.sub or x.bold)}
         is_speed = isinstance(speed, Letter) and speed.base in SPEEDS and speed in moving
-        if is_speed and not names & {*moving, TIME} and len(places) == 1:
+        if is_speed and not names & {*moving, TIME} and len(places) == 1 and not places & timed:
             passed |= places
     return passed
+
+
+def _travelled(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
+    """The place that is given in time where a speed v moves, and no place does."""
+    given = {each.sides[0] for each in read for x in each.sides[1:] if TIME in n.letters(x)}
+    places = {x for x in map(Letter, PLACES) if x in given}
+    others = any(x.base in COORDINATES and x != SPEED for x in moving)
+    return places if SPEED in moving and len(places) == 1 and not others else set()
+
+
+def _beside_time(read: Sequence[Statement]) -> frozenset[Letter]:
+    """The letters of what is given as a function of the time, which are constant in it."""
+    sides = [each.sides[1] for each in read if each.relations[:1] == ("=",)]
+    return frozenset().union(*(n.letters(x) for x in sides if TIME in n.letters(x)))
 
 
 def _driven(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
@@ -119,10 +135,14 @@ def _conjugate(read: Sequence[Statement], moving: Collection[Letter]) -> set[Let
 
 
 def _parameters(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
-    """The letters that move what is said to be a function of them: u in s = 4a sin(u/2)."""
+    """The letters that move what is said to be a function of them: u in s = 4a sin(u/2).
+
+    Those that stand beside the time do not: β in y = v t sin β.
+    """
     given = [(x.sides[0], x.sides[1]) for x in read if x.relations[:1] == ("=",)]
     parameters = set()
     driven = {*moving, TIME} | {name for name, value in given if n.letters(value) & {*moving}}
+    driven |= _beside_time(read) | {name for name, value in given if TIME in n.letters(value)}
     for name, value in given:
         letters = n.letters(value)
         alike = value.of if isinstance(value, n.Negative) else value
@@ -135,12 +155,12 @@ def _parameters(read: Sequence[Statement], moving: Collection[Letter]) -> set[Le
 _DELTA = Letter("δ")
 
 
-def _has_a_delta(product: n.Product) -> bool:
-    """Whether δ is a factor in it, and no variation: δ θ²."""
-    behind = zip(product.factors, (*product.factors[1:], None), strict=True)
-    return any(
-        one == _DELTA and (x is None or isinstance(x, (n.Power, n.Group))) for one, x in behind
-    )
+def _is_letter(nodes: Sequence[Node]) -> bool:
+    """Whether δ stands anywhere but in front of what it may vary, as in δ x."""
+    products = (x.factors for x in nodes if isinstance(x, n.Product))
+    pairs = [pair for factors in products for pair in pairwise(factors) if pair[0] == _DELTA]
+    varied = [x for _, x in pairs if not isinstance(x, (n.Power, n.Group))]
+    return nodes.count(_DELTA) > len(varied)
 
 
 _PLACE = Letter("x")
@@ -156,6 +176,18 @@ def _curves(read: Sequence[Statement], primed: Collection[Letter]) -> set[Letter
         for y in each.sides[:1]
         if isinstance(y, Letter) and y in primed and _PLACE in n.letters(each.sides[-1])
     }
+
+
+def _written_in_one(
+    read: Sequence[Statement], moving: Collection[Letter]
+) -> Iterator[tuple[Letter, Letter]]:
+    """Letters that are given by one coordinate and no rate, with that: U by θ."""
+    for each in read:
+        name, value = each.sides[0], each.sides[-1]
+        if isinstance(name, Letter) and not any(isinstance(x, n.Rate) for x in n.walked(value)):
+            places = n.letters(value) & {*moving}
+            if len(places) == 1:
+                yield name, *places  # type: ignore[misc]
 
 
 def habits_of(read: Sequence[Statement]) -> Habits:
@@ -174,7 +206,8 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     }
     moving |= _changing(nodes, moving)
     moving |= _velocities(read)
-    moving |= {x for x in map(Letter, "xyz") if x in nodes and Letter("v", x.base) in moving}
+    moving |= {x for x in map(Letter, PLACES) if x in nodes and Letter("v", x.base) in moving}
+    moving |= _travelled(read, moving)
     moving |= _driven(read, moving)
     moving |= _passed(read, moving)
     moving |= _conjugate(read, moving)
@@ -191,6 +224,11 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     moving -= fields.keys()
     functions |= fields
     functions |= dict.fromkeys(_curves(read, primed - {*functions} - moving), (_PLACE,))
+    functions |= {
+        x: (place,)
+        for x, place in _written_in_one(read, moving)
+        if x in primed and x not in moving and not {*functions.get(x, ())} & {*moving}
+    }
     twice = any(isinstance(x, n.Primed) and x.order > 1 and x.of not in functions for x in nodes)
     dotted = any(isinstance(x, n.Rate) and x.dotted for x in nodes)
     primes_are_rates = twice and not dotted
@@ -214,7 +252,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         for side in each.sides[:1]
         if side in (Letter("e"), Letter("π")) or (each.relations and side == Letter("i"))
     }
-    own |= {_DELTA for x in nodes if isinstance(x, n.Product) and _has_a_delta(x)}
+    own |= {_DELTA} if _is_letter(nodes) else set()
     return Habits(
         frozenset(moving),
         functions,

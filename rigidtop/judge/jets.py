@@ -92,7 +92,7 @@ def _rate(node: Expr, moving: frozenset[Letter]) -> Expr:
         jet = jet_of(node)
         if jet is None:
             return Integer(int(node == TIME))
-        moves = jet.order or jet.letter in moving
+        moves = not jet.instant and (jet.order or jet.letter in moving)
         return symbol(replace(jet, order=jet.order + 1)) if moves else Integer(0)
     if node.is_Add:
         return Add(*(_rate(x, moving) for x in node.args))

@@ -6,15 +6,23 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
-from rigidtop.judge import approximations, bounds, equality, places, roots, states
+from rigidtop.judge import approximations, bounds, equality, places, roots
 from rigidtop.judge.components import each_component
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.context import Constraint, Context, Definition
+from rigidtop.judge.context import SETTING, START, Constraint, Context, Definition
 from rigidtop.judge.jets import jets
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
 from rigidtop.judge.meaning import Meaning, Memory
 from rigidtop.judge.names import is_component
-from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, Outcome, joint
+from rigidtop.judge.outcome import (
+    DEFINITION,
+    FALSE,
+    PREMISE,
+    SAMPLED,
+    UNDECIDED,
+    Outcome,
+    joint,
+)
 from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.question import Judgement, Patience, Premises, Question
 from rigidtop.judge.sides import (
@@ -31,6 +39,7 @@ from rigidtop.judge.sides import (
     with_constant_last,
 )
 from rigidtop.judge.situation import Situation
+from rigidtop.judge.suppositions import suppositions
 from rigidtop.judge.values import UnclearError
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -64,6 +73,8 @@ class Judge:
 
     def judged(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
         """What becomes of a statement, and what is known after it."""
+        if isinstance(statement.sides[0], n.Limit):
+            statement, context = approximations.limited(statement, situation, context)
         context = context.moved(moving_in(statement))
         outcome, after = self._for_each(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
@@ -105,27 +116,47 @@ class Judge:
     # --- the contexts in which it may be meant ---------------------------------------------------
 
     def _in_place(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
-        """The outcome where new letters are values at one place, if it follows or fails so."""
+        """The outcome as it stands, or with what may be left unsaid if it follows so."""
         usual = self._in_context(statement, situation, context)
         if situation.balanced:
             situation = replace(situation, instant="")
         if usual[0].passed:
             return usual
-        between = states.stated(statement, situation, context)
-        if between is not None:
-            outcome, _ = self._in_context(statement, situation, between)
-            if outcome.passed or outcome.slip:
-                return outcome, usual[1]
         wrong = None
-        there = places.placed(statement, situation, context)
-        statement = places.with_rates(statement, context) if there else statement
-        for each in there:
-            outcome, after = self._in_context(statement, situation, each)
+        is_open = usual[0].passed is None
+        for each in suppositions(statement, situation, context, self.memory, is_open):
+            outcome, after = self._in_context(each.statement, each.situation, each.context)
+            behind = replace(usual[1], accelerations=after.accelerations)
+            known = after if each.lasts else behind
             if outcome.passed:
-                return outcome, usual[1]
-            if outcome.slip and wrong is None:
-                wrong = outcome, after
-        return wrong if wrong is not None and usual[0].passed is None else usual
+                return replace(outcome, why=each.words or outcome.why), known
+            if outcome.slip and each.tells and wrong is None:
+                wrong = outcome, known
+        if self._solves(statement, situation, context):
+            return Outcome(SAMPLED, "it solves what stands above"), usual[1]
+        return wrong if wrong is not None and is_open else usual
+
+    def _solves(self, statement: Statement, situation: Situation, context: Context) -> bool:
+        """Whether it is one of the solutions of what was said before to vanish."""
+        away = situation.inline or situation.closed or situation.instant
+        if statement.relations != ("=",) or away:
+            return False
+        zeros = [c for c in context.constraints if c.kind == SETTING and c.right == ZERO]
+        zeros = [c for c in zeros if c.instant != START][-1:]
+        pairs: list[tuple[Node, Constraint | None]] = [(c.left, c) for c in zeros]
+        if len(context.said) == 2 and context.said[1] == ZERO:
+            pairs.insert(0, (context.said[0], None))
+        for left, constraint in pairs:
+            equation = Statement((left, ZERO), ("=",), 0)
+            kept = tuple(c for c in context.constraints if c is not constraint)
+            free = places.resting(situation, replace(context, constraints=kept))
+            there = replace(situation, instant=places.THERE)
+            solved = places.solution(statement, situation, free)
+            if self._in_context(equation, there, free)[0].passed:
+                continue
+            if self._in_context(equation, there, solved)[0].passed:
+                return True
+        return False
 
     def _in_context(
         self, statement: Statement, situation: Situation, context: Context
@@ -177,6 +208,8 @@ class Judge:
         function = next((x for x in LAGRANGIANS if x in context.definitions), None)
         if letter is None or letter in context.definitions or letter.bold:
             return
+        if function is None and letter.base == "p" and letter.sub:
+            function = _KINETIC if {_KINETIC, _POTENTIAL} <= context.definitions.keys() else None
         if function is None:
             if letter in _TOTALS and {_KINETIC, _POTENTIAL} <= context.definitions.keys():
                 total = n.Sum((_KINETIC, _POTENTIAL))
@@ -300,7 +333,8 @@ def braces(statement: Statement) -> Iterator[n.Braced]:
 def _with_open(statement: Statement, at: Situation, context: Context) -> Context:
     """What is known behind a line that is left open: if it says what a letter is, that may be."""
     left, *_, right = statement.sides
-    if {*statement.relations} != {"="} or not isinstance(left, Letter):
+    equal = {*statement.relations} <= {*EQUALS, *NEARLY}
+    if not equal or not isinstance(left, Letter):
         return context
     supposed = Constraint(left, right, at.number, SUPPOSED, at.scope)
     return replace(context, open=(*context.open, supposed))

@@ -35,10 +35,10 @@ from rigidtop.judge.jets import (
     symbol,
     symbols,
 )
-from rigidtop.judge.meaning import LARGEST, Meaning, Memory, particles
+from rigidtop.judge.meaning import Meaning, Memory, particles
 from rigidtop.judge.names import is_vector
-from rigidtop.judge.values import UnclearError, pairs, plain
-from rigidtop.tree.nodes import Derivative, Letter, Negative, Number, Rate, letters, mapped
+from rigidtop.judge.values import LARGEST, UnclearError, is_identity, pairs, plain
+from rigidtop.tree.nodes import Derivative, Letter, Negative, Number, Rate, letters, mapped, walked
 
 MULTIPLIERS = frozenset({"λ", "μ", "Λ"})
 """Letters that are multipliers where a Lagrangian is linear in them."""
@@ -291,6 +291,8 @@ def hamilton(context: Context) -> list[Constraint]:
     definition, moving = context.definitions[function], context.habits.moving
     made = []
     for form in (definition.node, *definition.also):
+        if any(isinstance(x, Rate) for x in walked(form)):
+            continue  # in velocities it is a number, and no Hamiltonian
         own = letters(form) & moving
         if form is definition.node:
             own -= context.definitions.keys()
@@ -426,7 +428,7 @@ def _prolonged(residual: Residual, orders: dict[object, int], context: Context) 
     made = [residual.expression]
     if residual.instant:
         return made
-    if _is_identity(residual.expression):
+    if is_identity(residual.expression):
         return []  # what is put into it solves it
     if residual.kind == FIELD and residual.constraint is not None:
         return _everywhere(residual.expression, residual.constraint, context)
@@ -449,13 +451,6 @@ def _prolonged(residual: Residual, orders: dict[object, int], context: Context) 
             break
         made.append(here)
     return made
-
-
-@lru_cache(maxsize=20_000)
-def _is_identity(expression: Expr) -> bool:
-    """Whether an expression with the time in it is zero as it is written."""
-    timed = expression.has(TIME) and not expression.atoms(AppliedUndef)
-    return timed and operations(expression) < LARGEST and bool(expression.expand() == 0)
 
 
 def _everywhere(expression: Expr, constraint: Constraint, context: Context) -> list[Expr]:

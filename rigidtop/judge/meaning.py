@@ -22,6 +22,7 @@ from rigidtop.judge.jets import TIME, Jet, at_instant, jet_of, jets, rate, symbo
 from rigidtop.judge.names import basis_of, component_of, function_name, is_vector
 from rigidtop.judge.units import UNITS
 from rigidtop.judge.values import (
+    LARGEST,
     UnclearError,
     Value,
     added,
@@ -56,8 +57,8 @@ def _nodes() -> list[tuple[float, float]]:
 
 _NODES = _nodes()
 
-LARGEST = 4_000
-"""No expression has more operations."""
+_MOST_RATES = 3
+"""The rates of a letter that is held are put in again up to this order, less one."""
 
 DEEPEST = 40
 """Definitions are not put into definitions deeper."""
@@ -291,11 +292,23 @@ class Meaning:
             return self._at_time(self._differentiated(self.letter(function), order), places[0])
         if definition is None:
             return self._slope(self._unknown(function, places), places, order)
-        value = self._slope(self.letter(function), usual or places, order)
+        meaning = self._held_for(function) if order else self
+        value = meaning._slope(meaning._form(function, usual), usual or places, order)
+        value = self._released(value, meaning.held - self.held)
         for there, usually in zip(places, usual, strict=False):
             if there != usually:
                 value = _put(value, self.scalar(usually), self.scalar(there))
         return value
+
+    def _form(self, function: Letter, places: Sequence[Node]) -> Value:
+        """What a function is, in the form in which its places stand if there is one."""
+        definition, numbers = self.definition(function), {self.scalar(x) for x in places}
+        assert definition is not None
+        for node in (definition.node, *definition.also):
+            value = self.value(node)
+            if not isinstance(value, MatrixBase) and numbers <= value.free_symbols:
+                return value
+        return self.letter(function)
 
     def _differentiated(self, value: Value, order: int) -> Value:
         for _ in range(order):
@@ -342,17 +355,30 @@ class Meaning:
         return self._released(value, meaning.held - self.held)
 
     def _is_motion(self, of: Node, value: Value, place: Expr) -> bool:
-        """Whether a derivative is taken along the motion: d/dt, or dv/dx = v̇/ẋ."""
+        """Whether a derivative is taken along the motion: d/dt, or dv/dx = v̇/ẋ.
+
+        So is that of u = 1/r by φ, of which it is no function but along an orbit.
+        """
         if place == TIME:
             return True
         jet = jet_of(place) if place.is_Symbol else None
         if jet is None or jet.order or jet.letter not in self.moving:
             return False
+        if self._is_along(value, place):
+            return True
         if isinstance(of, Letter):
             # That of a function, as dV/dx or dL/dθ, is taken with its rates held.
             found = jet_of(value) if getattr(value, "is_Symbol", False) else None
             return found is not None and (found.order > 0 or found.letter in self.moving)
         return any(isinstance(x, n.Rate) for x in n.walked(of))
+
+    def _is_along(self, value: Value, place: Expr) -> bool:
+        """Whether a place that moves is written in others alone than the one it is taken by."""
+        if isinstance(value, MatrixBase) or value.is_Symbol or value.has(TIME):
+            return False
+        found = jets(value)
+        places = [jet for jet in found.values() if jet.letter in self.moving]
+        return bool(places) and place not in found and not any(jet.order for jet in places)
 
     def _to_differentiate(self, of: Node, by: Sequence[Node]) -> tuple[Value, Meaning]:
         """A value in the letters by which it is differentiated, and with what is held for that."""
@@ -361,10 +387,13 @@ class Meaning:
             bare = x.of if isinstance(x, n.Rate) else x
             if isinstance(bare, Letter):
                 letter = self.named(bare)
-                if self.definition(letter) is not None and not isinstance(x, n.Rate):
+                if self.definition(letter) is not None:
                     meaning = meaning.with_(held=meaning.held | {letter})
         if isinstance(of, Letter):
             meaning = meaning._held_for(of)
+        elif not any(isinstance(x, n.Rate) for x in (*n.walked(of), *by)):
+            momenta = {x for x in n.letters(of) if self.is_momentum(x)}
+            meaning = meaning.with_(held=meaning.held | momenta)
         value = meaning.value(of)
         if (
             isinstance(of, Letter)
@@ -384,8 +413,19 @@ class Meaning:
         node = definition.node if definition else None
         if node is None or self._has_rates(node):
             return self
-        momenta = {x for x in n.letters(node) if self.is_momentum(x)}
-        return self.with_(held=self.held | momenta) if momenta else self
+        places = definition.places if definition else ()
+        alone = bool(places) and not self._is_time(places)  # it is a function of these alone
+        kept = {x for x in n.letters(node) if self.is_momentum(x) or (alone and self._moves(x))}
+        return self.with_(held=self.held | kept) if kept else self
+
+    def _moves(self, letter: Letter) -> bool:
+        """Whether it stands for something that has rates."""
+        definition = self.definition(letter)
+        if definition is None:
+            return False
+        if isinstance(definition.node, Meant):
+            return any(jet.order for jet in jets(sympy.sympify(definition.node.value)).values())
+        return any(isinstance(x, (n.Rate, n.Derivative)) for x in n.walked(definition.node))
 
     def _has_rates(self, node: Node) -> bool:
         if any(isinstance(x, n.Rate) for x in n.walked(node)):
@@ -399,19 +439,18 @@ class Meaning:
 
     def is_momentum(self, letter: Letter) -> bool:
         """Whether it stands for something that has rates, and is one number of the state itself."""
-        definition = self.definition(letter)
-        if definition is None or letter.base not in ("p", "P", "π", "J", "ℓ", "l", "D", "S"):
-            return False
-        if isinstance(definition.node, Meant):
-            return any(jet.order for jet in jets(sympy.sympify(definition.node.value)).values())
-        return any(isinstance(x, (n.Rate, n.Derivative)) for x in n.walked(definition.node))
+        component = letter.base == "L" and letter.sub != "" and not letter.bold
+        return (component or letter.base in _MOMENTA) and self._moves(letter)
 
     def _released(self, value: Value, held: frozenset[Letter]) -> Value:
-        """What was held, put in again."""
+        """What was held, put in again, with its rates."""
         for letter in held:
             own, meant = self.free(letter), self.letter(letter)
-            if not isinstance(own, MatrixBase) and not isinstance(meant, MatrixBase):
+            if isinstance(own, MatrixBase) or isinstance(meant, MatrixBase):
+                continue
+            for _ in range(_MOST_RATES if letter in self.moving else 1):
                 value = _put(value, own, meant)
+                own, meant = self.rate(own), self.rate(meant)
         return value
 
     # --- sums, integrals -------------------------------------------------------------------------
@@ -476,6 +515,7 @@ class Meaning:
         return added(terms)
 
 
+_MOMENTA = frozenset("pPπJℓlDS")
 MASS, VOLUME, DENSITY = Letter("m"), Letter("V"), Letter("ρ")
 _SPREAD = frozenset("rxyzvρ")
 """Letters of places, velocities and densities, which differ within a body."""

@@ -29,6 +29,7 @@ _STARTS = re.compile(
 
 _AGAIN = re.compile(
     r"\b(?:at|in) (?:this|that) (?:place|point|moment|time|instant|angle|height)"
+    r"|\bfrom (?:then|there|that moment) on\b|\bvon da an\b|\bdès lors\b"
     r"|(?:^|[.;¶] ?)(?:there|dort|là)\b",
     re.I,
 )
@@ -51,10 +52,12 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
             continue
         if words.starts_with(each):
             made = [START if words.is_of_sentence(x) else x for x in made]  # v = 0 at t = 0
-        starts = _is_start(each) and Cue.EQUILIBRIUM not in passage.cues
+        stays = _is_start(each) and _stays(passage)
+        starts = _is_start(each) and not stays
+        words.now = "" if stays else words.now
         words.now = START if starts and words.now else words.now
         named = _introduces(each, seen, moving, passage.display)
-        general = named or _is_kinematic(each, moving) or words.are_general(each)
+        general = stays or named or _is_kinematic(each, moving) or words.are_general(each)
         made.append(START if starts else "" if general else words.now)
         if named and each.sides[0] in moving:
             words.now, words.any_time = "", True
@@ -91,11 +94,14 @@ class _Words:
         self.any_time |= isinstance(each, Statement) and _is_any(each, moving)
         if Cue.GENERAL in cues or begun or over:
             self.now = ""
+        elif Cue.REST in cues and not passage.display and _is_of_motion(each, moving):
+            self.now = START  # let it start from rest with u = b
         elif Cue.MOMENT in cues and _AGAIN.search(passage.before):
             self.now = self.before or self.now
         elif Cue.MOMENT in cues and not self.any_time:
             said = _STARTS.search(f"{passage.before} § {passage.behind}")
-            another = self.display and not passage.display  # at r = a, §, and at r = b, §
+            again = isinstance(each, Statement) and each.sides[0] == self.place
+            another = not passage.display and (self.display or again)  # and at r = b
             here = f"s{self.sentence}" + (f"-{passage.start}" if another else "")
             self.now = START if said else here if another else self.now or here
         self.display = passage.display
@@ -123,6 +129,11 @@ class _Words:
         if not self.display or is_time(each):
             return self.display and _is_motion(each)
         return _speaks_of_time(each) or _speaks_of(each, self.place) or _is_motion(each)
+
+
+def _is_of_motion(each: Statement | Unread, moving: frozenset[Letter]) -> bool:
+    """Whether it gives what moves, or the rate of that, a value."""
+    return isinstance(each, Statement) and len(each.sides) == 2 and bare(each.sides[0]) in moving
 
 
 def _is_any(each: Statement, moving: frozenset[Letter]) -> bool:
@@ -230,6 +241,12 @@ def at_one_time(statement: Statement, moving: frozenset[Letter]) -> tuple[Statem
 
     sides = tuple(n.mapped(side, now) for side in statement.sides)
     return replace(statement, sides=sides), places[0]
+
+
+def _stays(passage: Passage) -> bool:
+    """Whether words say of θ = θ₀ that it is so all the time, or suppose it of no start."""
+    supposed = Cue.CASE in passage.cues and not _STARTS.search(passage.before)
+    return supposed or Cue.EQUILIBRIUM in passage.cues
 
 
 def _is_start(statement: Statement) -> bool:

@@ -95,8 +95,10 @@ def _names(question: Question, new: Sequence[Letter]) -> bool:
 def brings(question: Question, new: Sequence[Letter]) -> Outcome:
     """That a statement brings letters."""
     words = ", ".join(map(in_words, new))
-    brings = frozenset(map(in_words, new))
-    return Outcome("premise", f"it brings {words}", question.rests_on_meaning, brings=brings)
+    names = frozenset(map(in_words, new))
+    ties = len(new) > 1 and isinstance(question.left, n.Quotient)  # a ratio names nothing
+    outcome = Outcome("premise", f"it brings {words}", question.rests_on_meaning, brings=names)
+    return replace(outcome, restricts=ties)
 
 
 def _results(question: Question, new: Sequence[Letter]) -> frozenset[Letter]:
@@ -201,6 +203,7 @@ def law(question: Question) -> Judgement | None:
         return None
     sides = (question.left, question.right)
     heads = {side.of if isinstance(side, n.Rate) else side for side in sides}
+    heads |= {x.of for x in n.walked(question.left) if isinstance(x, n.Rate)}
     if any(isinstance(x, Letter) and x in question.context.definitions for x in heads):
         # What stands for something moves as that does, if it is not a law.
         wrong = slip(question)

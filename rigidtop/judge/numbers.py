@@ -7,7 +7,7 @@ from decimal import Decimal
 from itertools import pairwise
 
 import sympy
-from sympy import Expr
+from sympy import Expr, Rational
 
 from rigidtop.judge.jets import TIME, jets
 from rigidtop.judge.outcome import FALSE, SAMPLED, UNDECIDED, Outcome
@@ -47,11 +47,28 @@ def compared(
     answers = [agree(*pair, digits) for pair in meant]
     if all(answers):
         return Outcome(SAMPLED, "", rests_on)
+    if in_minutes(left, right, meant, digits):
+        return Outcome(SAMPLED, "with the number of turns a minute", rests_on)
     if None in answers:
         return Outcome(UNDECIDED, "the units of both sides do not fit", rests_on)
     value = _like(*meant[0], right)
     why = f"the left side is {in_words(value)}"
     return Outcome(FALSE, why, rests_on, "another number", f"{latex(left)} ≈ {latex(value)}")
+
+
+def in_minutes(left: Node, right: Node, meant: Sequence[tuple[Expr, Expr]], digits: float) -> bool:
+    """Whether a number of turns a minute stands for itself beside a 60: ω = 2π n/60."""
+    sixty = any(x == n.Number("60") for side in (left, right) for x in n.walked(side))
+    ratios = (sympy.simplify(a / b) for a, b in meant if a != 0 != b)
+    turned = [x for x in ratios if not x.free_symbols]
+    return (
+        sixty
+        and bool(turned)
+        and all(
+            any(abs(complex(sympy.N(x * f)) - 1) <= digits for f in (60, Rational(1, 60)))
+            for x in turned
+        )
+    )
 
 
 def _like(value: Expr, other: Expr, like: Node) -> Node:
@@ -86,7 +103,7 @@ def share(node: Node, nearly: bool = False) -> float:
         if isinstance(second, n.Power) and second.base == n.Number("10")
     }
     shares = [
-        float(Decimal(1).scaleb(_exponent(x.text)) / abs(Decimal(x.text)))
+        float(Decimal(1).scaleb(_exponent(x.text, nearly)) / abs(Decimal(x.text)))
         for x in n.walked(node)
         if isinstance(x, n.Number) and x.value
         if "." in x.text or x in mantissas or (x not in powers and (nearly or len(x.text) > 2))
@@ -102,6 +119,14 @@ def rounded(value: Expr, like: Node) -> str:
     return f"{float(number):.{figures}g}"
 
 
-def _exponent(text: str) -> int:
+def _exponent(text: str, nearly: bool = False) -> int:
+    """The place of the last digit that counts; of 2470, which is `nearly` so, that of the 7."""
     exponent = Decimal(text).as_tuple().exponent
+    zeros = len(text) - len(text.rstrip("0"))
+    if nearly and text.isdigit() and zeros:
+        return min(zeros, max(len(text) - _FIGURES, 0))
     return exponent if isinstance(exponent, int) else 0
+
+
+_FIGURES = 3
+"""Zeros at the end of a rounded number count up to so many figures."""

@@ -24,13 +24,16 @@ STEPS = 5
 SMALL, LARGE = 0.1, 10.0
 """By these factors a letter is scaled at every step."""
 
-LITTLE = 2e-3
+LITTLE = 4e-3
 """At the last step the sides differ by no more than this share."""
 
 
 _LAST = (STEPS - 2, STEPS - 1)
 LONGEST = 200
 """A side with more operations is not taken apart into its terms."""
+
+_TYPICAL = 0.5
+"""Sides are not taken for smaller than this share of what they are elsewhere."""
 
 STAYS = 0.7
 """A share that is no less than this much of the one a step before does not go to zero."""
@@ -176,6 +179,7 @@ def _gap(
         return None
     with np.errstate(all="ignore"):
         size = np.maximum(np.abs(at.values[0]), np.abs(at.values[1]))
+        size = np.maximum(size, _TYPICAL * np.median(size))  # both may be small by chance
         if left == 0 or right == 0:
             size = at.sizes[2]
             if len(scaling.letters) > 1 and scaling.factor < 1:
@@ -197,20 +201,25 @@ def _settled(
 ) -> tuple[Array | None, bool]:
     """With the highest rates that the equations give at other numbers, and whether these hold.
 
-    Where they do not, other rates move too, but for those that are scaled.
+    Where they do not, other rates move too, and then all letters, but for those that are scaled.
     """
     points, scaled = _scaled(worlds, scaling, step)
-    top = [worlds.letters.index(x) for x in highest(equations)]
-    if not equations or not top:
+    if not equations:
         return points, True
-    rates = [
+    numbers = range(len(worlds.letters))
+    top = {worlds.letters.index(x) for x in highest(equations)}
+    rates = {
         k for k, x in enumerate(worlds.letters) if (jet := jet_of(x)) is not None and jet.order
-    ]
-    first, holds = _moved(equations, worlds, points, top)
-    if holds or first is None:
-        return first, holds
-    second, holds = _moved(equations, worlds, points, sorted({*top} | {*rates} - {*scaled}))
-    return (second, True) if holds else (first, False)
+    }
+    wider = [top, top | rates - {*scaled}, {*numbers} - {*scaled}]
+    first = None
+    for places in (x for x in wider if x):
+        moved, holds = _moved(equations, worlds, points, sorted(places))
+        if holds:
+            return moved, holds
+        if first is None:
+            first = moved
+    return first, False
 
 
 _STEPS, _PATIENCE = 30, 12

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from sympy import Expr, Integral, MatrixBase, Piecewise, Symbol
+from sympy import Add, Expr, Integral, MatrixBase, Piecewise, Rational, Symbol
 
 from rigidtop.judge import worlds
-from rigidtop.judge.context import PREMISE, Constraint, Context, Definition
+from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, Definition
+from rigidtop.judge.context import TIME as CLOCK
 from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import Residual, residuals
 from rigidtop.judge.meaning import Meant
-from rigidtop.judge.program import Program, UnknownFunctionError
 from rigidtop.judge.question import Pair, Path, Premises, Question
 from rigidtop.judge.sides import ZERO, letters_of, named, speaks_of
 from rigidtop.judge.values import plain
@@ -32,9 +32,9 @@ def path_of(question: Question) -> Path | None:
     value = question.meaning().value(node)
     if isinstance(value, MatrixBase) or not value.has(TIME):
         return None
-    context, at = question.context, question.at
+    context, at = _without_trials(question.context, letter), question.at
     own = [each for each in context.followed if letter in each.letters]
-    if own and not question.moves(value) and _needs_its_own(question, letter):
+    if own and _is_steady(question, value) and _needs_its_own(question, letter):
         context = context.forgetting(letter)
         for each in own:
             context = context.holding(each)
@@ -50,6 +50,22 @@ def path_of(question: Question) -> Path | None:
         return None
     definition = Definition(node, at.number, at.scope, motion=True)
     return Path(letter, value, context.forgetting(letter), definition)
+
+
+def _without_trials(context: Context, letter: Letter) -> Context:
+    """What is known without other motions of a letter that were only supposed."""
+    kept = tuple(
+        c
+        for c in context.constraints
+        if c.kind != SETTING or c.instant or c.left != letter or CLOCK not in n.letters(c.right)
+    )
+    return replace(context, constraints=kept)
+
+
+def _is_steady(question: Question, value: Expr) -> bool:
+    """Whether a value changes with the time alone, all other letters being constant."""
+    rest = rate(value, question.moving) - value.diff(TIME)
+    return not question.moves(value) or question.of([(rest, 0 * TIME)]).holds()
 
 
 def speed_of(question: Question) -> Path | None:
@@ -141,14 +157,25 @@ def laws(question: Question) -> list[Residual]:
         each
         for each in Premises(path.before, question.memory).residuals
         if speaks_of(each.expression, path.letter) and not each.instant
+        if not _ties_parameters(each.expression, path.letter, question)
     ]
 
 
-def solves(question: Question, value: Expr) -> bool:
-    """Whether a motion, or another in its place, obeys what holds of its letter."""
+def _ties_parameters(expression: Expr, letter: Letter, question: Question) -> bool:
+    """Whether it says the same wherever the letter is, as β v = 6 π η r v does of β."""
+    x = symbol(Jet(letter))
+    factor = (expression / x).expand()
+    return expression.has(x) and not question.moves(factor) and not factor.has(TIME)
+
+
+def solves(question: Question, value: Expr, begins: bool = True) -> bool:
+    """Whether a motion, or another in its place, obeys what holds of its letter.
+
+    It need not where it is one of several, and not the one that `begins` as it is said.
+    """
     path = question.path
     assert path is not None
-    put = _put_in(path.letter, value, question.context)
+    put = _put_in(path.letter, value, question.moving)
     own_laws = laws(question)
     gaps = [(each.expression.subs(put, simultaneous=True), 0 * TIME) for each in own_laws]
     solved = {each.constraint for each in own_laws}
@@ -161,6 +188,7 @@ def solves(question: Question, value: Expr) -> bool:
             question.memory,
         )
         gaps += [(each.expression, 0 * TIME) for each in begun if each.constraint in starts]
+        gaps = gaps if begins else gaps[: len(own_laws)]
         left = tuple(c for c in left if c not in starts)
     return question.of(gaps, replace(path.context, constraints=left)).holds()
 
@@ -168,54 +196,68 @@ def solves(question: Question, value: Expr) -> bool:
 def goes_with_others(question: Question, value: Expr) -> bool:
     """Whether others that move can go so that all holds, where the motion is put into it.
 
-    What holds is linear in their rates then, and has a solution whatever all other letters are.
+    What holds has a solution then, whatever all other letters are; and it has none where the motion
+    is a faster one, as it would if the others could follow anything.
     """
     path = question.path
     assert path is not None
-    put = _put_in(path.letter, value, question.context)
     others = {x for each in laws(question) for x in jets(each.expression) if question.moves(x)}
-    letters = {jet.letter for x in others for jet in jets(x).values()} - {path.letter}
+    still = {*_constant(path.before.followed)}
+    letters = {jet.letter for x in others for jet in jets(x).values()} - {path.letter} - still
+    rates = {symbol(Jet(x, order)): 0 for x in still for order in range(1, MOST_RATES + 1)}
     pool = Premises(path.before, question.memory).residuals
-    gaps = [
-        each.expression.subs(put, simultaneous=True)
-        for each in pool
-        if letters & letters_of(each.expression) and not each.instant
-    ]
-    if not letters or not gaps:
+    always = [x.expression.subs(rates) for x in pool if not x.instant]
+    own = [x for x in always if letters & letters_of(x)]
+    rest = [x for x in always if not question.moves(x)]
+    moving = question.moving - still
+    if not own:
         return False
-    moving = question.moving
-    gaps = plain(
-        [x for gap in gaps for x in (gap, rate(gap, moving), rate(rate(gap, moving), moving))]
-    )
-    free = [
-        x for x in worlds.symbols_of(gaps) if any(j.letter in letters for j in jets(x).values())
-    ]
-    if any(gap.diff(x, y) != 0 for gap in gaps for x in free for y in free):
-        return False
-    zero = dict.fromkeys(free, 0)
-    return all(_is_solvable(gaps, free, zero, k) for k in range(_TRIALS))
+
+    def goes(motion: Expr) -> bool:
+        put = _put_in(path.letter, motion, moving)
+        gaps = [x.subs(put, simultaneous=True) for x in own]
+        rates = [rate(x, moving) for x in gaps]
+        gaps = plain([*gaps, *rates, *(rate(x, moving) for x in rates)])
+        every = worlds.symbols_of(gaps)
+        free = [x for x in every if any(j.letter in letters for j in jets(x).values())]
+        given = worlds.symbols_of([*gaps, *rest])
+        places = worlds.found(plain(rest), [x for x in given if x not in free])
+        return places.count > 0 and all(
+            _is_solvable(gaps, free, dict(zip(places.letters, column, strict=True)))
+            for column in places.points.real.T[:_TRIALS].tolist()
+        )
+
+    return goes(value) and not goes(value.subs(TIME, _FASTER * TIME))
+
+
+def _constant(equations: Sequence[Constraint]) -> Iterator[Letter]:
+    """The letters of which an equation says that they do not change."""
+    for each in equations:
+        match each.left:
+            case n.Rate(Letter() as letter, 1) if each.right == ZERO:
+                yield letter
 
 
 def _is_solvable(
-    gaps: Sequence[Expr], free: Sequence[Symbol], zero: dict[Symbol, int], seed: int
+    gaps: Sequence[Expr], free: Sequence[Symbol], numbers: Mapping[Symbol, float]
 ) -> bool:
-    """Whether linear equations have a solution, the other letters having numbers by chance."""
-    names = [x for x in worlds.symbols_of(gaps) if x not in zero]
-    rng = np.random.default_rng(seed)
-    points = rng.uniform(0.5, 1.9, (len(names), 1)) + 0j
-    rows = [gap.subs(zero) for gap in gaps] + [gap.diff(x) for gap in gaps for x in free]
-    try:
-        values = Program(names, points).values(rows).values[:, 0]
-    except UnknownFunctionError:
-        return False
-    right, matrix = -values[: len(gaps)], values[len(gaps) :].reshape(len(gaps), len(free))
-    if np.abs(right).max() <= 1e-9 * np.abs(matrix).max():
+    """Whether equations have a solution in some letters, the others having numbers."""
+    here = [x for x in (_without_rounding(gap.xreplace(numbers)) for gap in gaps) if x != 0]
+    if all(abs(gap.subs(dict.fromkeys(free, 0)).evalf()) < _NOTHING for gap in here):
         return False  # all others may be zero, which says nothing
-    solution = np.linalg.lstsq(matrix, right, rcond=1e-9)[0]
-    return bool(np.abs(matrix @ solution - right).max() <= 1e-7 * np.abs(right).max())
+    found = worlds.found(here, free, enough=1)
+    return bool(found.count) and bool((np.abs(found.points.imag) < _NOTHING).all())
+
+
+def _without_rounding(expression: Expr) -> Expr:
+    """A sum without the terms that vanish but for the rounding of numbers."""
+    terms = Add.make_args(expression.expand())
+    return Add(*(x for x in terms if abs(x.as_coeff_Mul()[0]) > _NOTHING))
 
 
 _TRIALS = 3
+_FASTER = Rational(7, 5)
+_NOTHING = 1e-9
 
 
 def tried(question: Question) -> Context:
@@ -225,7 +267,7 @@ def tried(question: Question) -> Context:
     """
     path = question.path
     assert path is not None
-    put, at = _put_in(path.letter, path.value, question.context), question.at
+    put, at = _put_in(path.letter, path.value, question.moving), question.at
     known = path.context
     for each in laws(question):
         if each.constraint is None:
@@ -249,10 +291,10 @@ def is_free(question: Question) -> bool:
     )
 
 
-def _put_in(letter: Letter, value: Expr, context: Context) -> dict[Expr, Expr]:
+def _put_in(letter: Letter, value: Expr, moving: frozenset[Letter]) -> dict[Expr, Expr]:
     """The numbers of a letter and its rates where it is a function of the time."""
     put: dict[Expr, Expr] = {}
     for order in range(MOST_RATES + 1):
         put[symbol(Jet(letter, order))] = value
-        value = rate(value, context.habits.moving)
+        value = rate(value, moving)
     return put

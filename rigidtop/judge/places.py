@@ -10,6 +10,7 @@ from rigidtop.judge.context import PREMISE, SETTING, START, TIME, Constraint, Co
 from rigidtop.judge.sides import is_setting, letters_in, moving_in, named
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import COORDINATES
+from rigidtop.read.phrases import Cue
 from rigidtop.tree.nodes import Derivative, Letter, Node, Number, Power, Rate, letters, mapped
 from rigidtop.tree.statement import Statement
 
@@ -51,6 +52,70 @@ def placed(statement: Statement, at: Situation, context: Context) -> list[Contex
     kept = tuple(c for c in context.constraints if c.kind != PREMISE)
     bare = replace(context, constraints=kept)
     return [_vanishing(context, at, [first]), *(_vanishing(bare, at, [x]) for x in others)]
+
+
+def alike(at: Situation, context: Context) -> Context | None:
+    """What is known where two masses are equal, in one sentence; None if words do not say so."""
+    masses = sorted((x for x in context.letters if x.base in "mM" and not x.bold), key=str)
+    masses = [x for x in masses if x not in context.definitions]
+    if Cue.EQUAL_MASSES not in at.cues or len(masses) != 2:
+        return None
+    one, other = masses
+    equal = Constraint(one, other, at.number, SETTING, at.scope, "", at.sentence)
+    return context.holding(equal)
+
+
+THERE = "there"
+"""The instant at which a motion is where it could stay."""
+
+
+def resting(at: Situation, context: Context) -> Context:
+    """What is known where everything rests for an instant."""
+    moving = context.habits.moving - context.definitions.keys()
+    still = sorted((x for x in moving if x.base in COORDINATES), key=str)
+    for rate in (Rate(x, 1, True) for x in still):
+        none = Constraint(rate, Number("0"), at.number, SETTING, at.scope, THERE)
+        context = context.holding(none)
+    return context
+
+
+def solution(statement: Statement, at: Situation, context: Context) -> Context:
+    """What is known where a statement holds at that instant.
+
+    A new letter with an index is the value of the one without.
+    """
+    left, right = statement.sides
+    for name in sorted(letters_in(statement) - context.letters, key=str):
+        letter = replace(name, sub="")
+        if name.sub == "0" and letter in context.habits.moving:
+            value = Constraint(letter, name, at.number, SETTING, at.scope, THERE)
+            context = context.holding(value)
+    return context.holding(Constraint(left, right, at.number, SETTING, at.scope, THERE))
+
+
+def begun(statement: Statement, at: Situation, context: Context) -> Context | None:
+    """What is known where a new letter is where a motion begins that begins at rest.
+
+    None if there are several, or if it is said where it begins.
+    """
+    begins = [c for c in context.constraints if c.instant == START]
+    still = {c.left.of for c in begins if isinstance(c.left, Rate) and c.right == Number("0")}
+    placed = {c.left for c in begins}
+    free = [x for x in still if isinstance(x, Letter) and x not in placed and x.base in COORDINATES]
+    spoken = frozenset().union(*(letters(x.node) for x in context.definitions.values()))
+    fixed = frozenset().union(*(each.letters for each in context.constraints))
+    known = fixed | spoken | context.definitions.keys() | context.given | context.habits.moving
+    new = letters_in(statement) - known
+    given = statement.sides[0] in new | context.habits.moving
+    if len(new) != 1 or len(free) != 1 or given:
+        return None
+    [name], [letter] = new, free
+    if (name.base in _ANGLES) != (letter.base in _ANGLES):
+        return None
+    return context.holding(Constraint(letter, name, at.number, PREMISE, at.scope, START))
+
+
+_ANGLES = frozenset("αβγδθφψϑϕχ")
 
 
 def _zeros(statement: Statement, at: Situation, context: Context) -> list[Node]:

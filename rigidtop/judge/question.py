@@ -14,11 +14,11 @@ from rigidtop.judge import worlds as w
 from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, Definition
 from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import Residual, moved, residuals, surrounding, time_at
-from rigidtop.judge.meaning import LARGEST, Meaning, Memory, particles
+from rigidtop.judge.meaning import Meaning, Memory, particles
 from rigidtop.judge.outcome import SAMPLED, Outcome
 from rigidtop.judge.sides import entries, letters_of, own_letters
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.values import UnclearError, Value, pairs, plain
+from rigidtop.judge.values import LARGEST, UnclearError, Value, pairs, plain
 from rigidtop.judge.worlds import Worlds
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -250,7 +250,10 @@ class Question:
     def worlds(self) -> Worlds:
         """Numbers at which all holds that has to do with it."""
         letters = w.symbols_of([*self.equations, *(x for pair in self.both for x in pair)])
-        return w.found(self.equations, letters, self.context.results, self.premises.not_zero)
+        may_vanish = self.context.results
+        if isinstance(self.left, Letter) and self.right == n.Number("0"):
+            may_vanish |= {self.left}  # it may have to
+        return w.found(self.equations, letters, may_vanish, self.premises.not_zero)
 
     @property
     def rests_on(self) -> frozenset[int]:
@@ -281,7 +284,7 @@ class Question:
     def moves(self, *values: Value) -> bool:
         """Whether a letter that moves, or a rate, stands in what is meant."""
         return any(
-            j.order or j.letter in self.moving
+            not j.instant and (j.order or j.letter in self.moving)
             for value in values
             for x in entries(value)
             for j in jets(x).values()
@@ -316,7 +319,7 @@ class Question:
 
     def is_kept(self, both: Sequence[Pair]) -> bool:
         """Whether the difference of two sides does not change, and vanishes at an instant."""
-        instants = {c.instant for c in self.context.constraints if c.instant}
+        instants = self._instants
         if self.at.instant or self.path is not None or not self.worlds.count or not instants:
             return False
         rates = self._rates(both)
@@ -327,13 +330,19 @@ class Question:
             for x in instants
         )
 
+    @property
+    def _instants(self) -> set[str]:
+        """The instants of which something is known, or of which the sides speak: x = x(0)."""
+        spoken = {jet.instant for pair in self.both for x in pair for jet in jets(x).values()}
+        return {c.instant for c in self.context.constraints if c.instant} | spoken - {""}
+
     def _rates(self, both: Sequence[Pair]) -> list[Pair]:
         return [(rate(a, self.moving), rate(b, self.moving)) for a, b in both]
 
     @cached_property
     def _times(self) -> Worlds:
         """Worlds of now and of the instants of which something is known."""
-        instants = {c.instant for c in self.context.constraints if c.instant}
+        instants = self._instants
         then = [(self.then(a, x), self.then(b, x)) for a, b in self.both for x in instants]
         return self.of([*self.both, *self._rates(self.both), *then]).worlds
 

@@ -12,11 +12,12 @@ from rigidtop.judge.context import PLACE, SETTING, Context, Definition
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.jets import TIME, Jet, jet_of
 from rigidtop.judge.numbers import are_numbers
-from rigidtop.judge.outcome import PREMISE, Outcome
-from rigidtop.judge.question import Judgement, Question
+from rigidtop.judge.outcome import DEFINITION, PREMISE, Outcome
+from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.sides import is_setting, is_start, letters_of, own_letters
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter
+from rigidtop.tree.plain import plain as in_words
 
 
 def setting(question: Question) -> Judgement | None:
@@ -42,6 +43,8 @@ def setting(question: Question) -> Judgement | None:
         known = replace(context, not_zero=(), constraints=kept).holding(set_here)
         if question.of(question.both, known).worlds.count:
             return outcome, known
+    if question.at.closed and question.at.instant and question.left in question.moving:
+        return outcome, context  # where the coordinates have no meaning, as angles at the pole
     return None
 
 
@@ -211,6 +214,28 @@ def chosen(question: Question) -> Judgement | None:
         if not (timed and question.of(question.both, known).worlds.count):
             return None
     return Outcome(PREMISE, "it is chosen", question.rests_on_meaning), known
+
+
+def part(question: Question) -> Judgement | None:
+    """What a letter stands for of which a text that answers has said only what it is a part of.
+
+    After T = T₁ + T₂ it is free which part T₁ is.
+    """
+    if not question.at.closed or question.at.instant or question.inner:
+        return None
+    left = question.left
+    own = [
+        x
+        for x in question.worlds.letters
+        if (jet := jet_of(x)) is not None and is_own(question, jet)
+    ]
+    named = (
+        isinstance(left, Letter) and alone(left) in own and left not in own_letters(question.right)
+    )
+    if not named or not fixes(question, own):
+        return None
+    outcome = Outcome(DEFINITION, f"what {in_words(left)} stands for", question.rests_on_meaning)
+    return outcome, question.context.holding(question.constraint(SUPPOSED))
 
 
 def is_own(question: Question, jet: Jet) -> bool:

@@ -158,6 +158,10 @@ def _single(
                     if letter.base == base.base and letter.bold == base.bold:
                         mixed = n.Product((base, letter))
                         yield mixed, f"{plain(mixed)} in place of {plain(node)}", 2.4
+            inner = n.ungrouped(base)
+            if exponent.value == 2 and isinstance(inner, n.Sum):
+                each = n.Group(n.Sum(tuple(map(_squared, inner.terms))))
+                yield each, f"{plain(each)} in place of {plain(node)}", 2.3
             if exponent.value == 2:
                 yield n.Power(base, Number("4")), f"the fourth power of {plain(base)}", 3.0
         case Letter():
@@ -202,8 +206,21 @@ def _single(
                     words = f"{plain(term)} in place of {plain(over)}"
                     yield n.Quotient(term, under), words, 2.5
             yield n.Quotient(under, over), "the fraction turned over", 3.0
+            count = [x for x in _factors(over) if not n.letters(x) - {Letter("π")}]
+            others = [x for x in _factors(over) if x not in count]
+            if count and others and n.letters(under):
+                turned = n.Quotient(n.Product((*count, *_factors(under))), _joined(others))
+                yield turned, f"{plain(turned)} in place of {plain(node)}", 2.9
             if n.letters(node):
                 yield n.Power(n.Group(node), Number("2")), f"{plain(node)} squared", 2.2
+
+
+def _factors(node: Node) -> tuple[Node, ...]:
+    return node.factors if isinstance(node, n.Product) else (node,)
+
+
+def _joined(factors: list[Node]) -> Node:
+    return n.Product(tuple(factors)) if len(factors) > 1 else factors[0]
 
 
 _ALIKE = tuple(map(frozenset, ("θϑΘ", "φϕϐψΦΨ", "ωΩw", "lℓL", "vνuV", "pρP", "aαA", "γyr")))
@@ -271,8 +288,7 @@ def _is_name(side: Node) -> bool:
 
 def _cancels(factor: Node, side: Node) -> bool:
     """Whether a factor is one over what the side is, or over a factor of it."""
-    own = side.factors if isinstance(side, n.Product) else (side,)
-    return isinstance(factor, n.Quotient) and factor.under in own
+    return isinstance(factor, n.Quotient) and factor.under in _factors(side)
 
 
 def _terms(node: Node) -> tuple[Node, ...]:
@@ -327,6 +343,13 @@ def _swapped(side: Node, angle: Node) -> Node:
         return node
 
     return n.mapped(side, swap)
+
+
+def _squared(term: Node) -> Node:
+    """A term squared, with its sign."""
+    if isinstance(term, n.Negative):
+        return n.Negative(_squared(term.of))
+    return term if term == Number("1") else n.Power(term, Number("2"))
 
 
 def _negated(side: Node) -> Node:

@@ -4,14 +4,27 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rigidtop.judge.context import PREMISE, SETTING, START, Constraint, Context
+from rigidtop.judge.context import PREMISE, SETTING, START, TIME, Constraint, Context
 from rigidtop.judge.sides import letters_in
-from rigidtop.tree.nodes import Letter, Node, Number, Rate
+from rigidtop.tree.nodes import (
+    Derivative,
+    Letter,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Product,
+    Rate,
+    letters,
+    walked,
+)
 from rigidtop.tree.statement import Statement
 
-COORDINATES = frozenset("xyzrsqhuldℓηξζθφψαβγδχρσ")
+COORDINATES = frozenset("xyzrsqhuwldℓηξζθφψαβγδχρσ")
 SPEEDS = frozenset("vω")
 """What these letters stand for where something has a rate: places and angles, and how fast."""
+PLACES = frozenset("xyzshd")
+SPEED = Letter("v")
 _TOTALS = (Letter("E"), Letter("ℰ"))
 """Letters of the whole energy."""
 _EULER = frozenset({Letter("φ"), Letter("θ"), Letter("ψ")})
@@ -42,13 +55,54 @@ def with_energy(context: Context, number: int, scope: tuple[int, ...]) -> Contex
 
 
 def with_velocities(statement: Statement, context: Context, number: int) -> Context:
-    """What is known where a place x occurs for the first time, and v_x has occurred before."""
+    """What is known where a place x occurs for the first time, and v_x has occurred before.
+
+    Whether it goes the way of a speed v without an index is not said.
+    """
     for letter in sorted(letters_in(statement) - context.letters, key=str):
         speed = Letter("v", letter.base)
-        if letter in context.habits.moving and letter.base in "xyz" and speed in context.letters:
+        if letter in context.habits.moving and letter.base in PLACES and speed in context.letters:
             law = Constraint(Rate(letter, 1, True), speed, number, PREMISE)
             context = context.holding(law)
-    return context
+    return _with_speed(statement, context, number)
+
+
+def with_acceleration(context: Context, number: int) -> Context | None:
+    """What is known where **a** is the acceleration of the place **r**; None if not both occur."""
+    acceleration, place = Letter("a", bold=True), Letter("r", bold=True)
+    if not {acceleration, place} <= context.letters:
+        return None
+    return context.holding(Constraint(acceleration, Rate(place, 2), number, PREMISE))
+
+
+def with_force(statement: Statement, context: Context, number: int) -> Context | None:
+    """What is known with Newton's law where only a potential is; None if m ẍ is no side."""
+    energies = {Letter(x) for x in "TLEH"} & context.definitions.keys()
+    potential = next((x for x in map(Letter, "UV") if x in context.definitions), None)
+    match statement.sides[0]:
+        case Product((Letter(), Rate(Letter() as place, 2))) if potential and not energies:
+            force = Negative(Derivative(potential, (place,)))
+            law = Constraint(statement.sides[0], force, number, PREMISE)
+            return context.holding(law) if place in context.letters else None
+    return None
+
+
+def _with_speed(statement: Statement, context: Context, number: int) -> Context:
+    """What is known where a place is given in time, and only how fast it changes is known."""
+    place, *others = statement.sides
+    timed = any(TIME in letters(x) for x in others)
+    if place not in context.habits.moving & {*map(Letter, PLACES)} or not timed:
+        return context
+    way = Rate(place, 1, True)
+    always = [c for c in context.constraints if not c.instant]
+    rates = {x for c in always for side in (c.left, c.right) for x in walked(side)}
+    moving = {x for x in context.habits.moving if x.base in COORDINATES} - {place}
+    known = any(isinstance(x, Rate) and x.of == place for x in rates) or moving
+    if SPEED not in context.letters & context.habits.moving or known:
+        return context
+    square = Number("2")
+    law = Constraint(Power(way, square), Power(SPEED, square), number, PREMISE)
+    return context.holding(law)
 
 
 def _still(letter: Letter) -> Node | None:

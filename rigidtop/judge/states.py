@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from rigidtop.judge.context import SETTING, Constraint, Context
+from rigidtop.judge.context import SETTING, Constraint, Context, Definition
 from rigidtop.judge.laws import LAGRANGIANS
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
+from rigidtop.judge.starts import SPEEDS
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Number, Rate
 from rigidtop.tree.statement import Statement
@@ -34,8 +35,20 @@ def _quantity(context: Context, named: bool) -> Letter | None:
     said = next((x for x in context.said[:1] if isinstance(x, Letter)), None)
     if not named:
         return said if said in letters else None
-    momenta = [x for x in letters if x.base in _MOMENTA]
+    momenta = [x for x in letters if x.base in _MOMENTA and _has_speed(known[x].node, known)]
     return max(momenta, key=lambda x: known[x].number, default=None)
+
+
+def _has_speed(node: n.Node, known: Mapping[Letter, Definition]) -> bool:
+    """Whether something in it moves by what it is, or by its name."""
+    nodes = [*n.walked(node)]
+    if any(isinstance(x, (Rate, n.Derivative)) for x in nodes):
+        return True
+    names = [x for x in nodes if isinstance(x, Letter)]
+    inner = (known[x].node for x in names if x in known and known[x].node is not node)
+    return any(x.base in SPEEDS | {"Ω", "u", "w"} for x in names) or any(
+        _has_speed(x, {y: d for y, d in known.items() if d.node is not x}) for x in inner
+    )
 
 
 def _has_a_square(node: n.Node) -> bool:

@@ -10,7 +10,7 @@ import sympy
 from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Symbol
 from sympy.core.function import AppliedUndef
 
-from rigidtop.judge.jets import operations
+from rigidtop.judge.jets import TIME, operations, symbols
 
 Value = Any
 """An expression, or a matrix of expressions."""
@@ -47,6 +47,7 @@ def pairs(left: Value, right: Value) -> list[tuple[Expr, Expr]]:
             raise UnclearError("one side is a number, the other is none")
         if left.shape != right.shape and left.shape == right.shape[::-1]:
             right = right.T
+        left, right = in_one_space([left, right])
         if left.shape != right.shape:
             raise UnclearError("the sides have different shapes")
         return list(zip(left, right, strict=True))
@@ -78,9 +79,17 @@ def added(values: Sequence[Value]) -> Value:
         return sympy.Add(*values)
     if any(not isinstance(x, MatrixBase) and x != 0 for x in values):
         raise UnclearError("a sum of a vector and a number")
+    matrices = in_one_space(matrices)
     if len({x.shape for x in matrices}) > 1:
         raise UnclearError("a sum of different shapes")
     return ImmutableMatrix(*matrices[0].shape, [sympy.Add(*x) for x in zip(*matrices, strict=True)])
+
+
+def in_one_space(vectors: Sequence[MatrixBase]) -> list[MatrixBase]:
+    """Vectors of a plane as vectors in space, if others are; all as they are otherwise."""
+    if {x.shape for x in vectors} != {(2, 1), (3, 1)}:
+        return [*vectors]
+    return [ImmutableMatrix([*x, *[0] * (3 - x.rows)]) for x in vectors]
 
 
 def matrix_product(left: MatrixBase, right: MatrixBase) -> Value:
@@ -96,3 +105,28 @@ def multiplied(values: Sequence[Value]) -> Value:
         both = isinstance(made, MatrixBase) and isinstance(value, MatrixBase)
         made = matrix_product(made, value) if both else made * value
     return made
+
+
+LARGEST = 4_000
+"""No expression has more operations."""
+
+
+@lru_cache(maxsize=20_000)
+def is_identity(expression: Expr) -> bool:
+    """Whether an expression with the time in it is zero as it is written."""
+    if not expression.has(TIME) or expression.atoms(AppliedUndef):
+        return False
+    if operations(expression) >= LARGEST:
+        return False
+    return bool(expression.expand() == 0) or all(_vanishes(expression, k) for k in range(3))
+
+
+def _vanishes(expression: Expr, trial: int) -> bool:
+    """Whether it is zero, to many digits, where its letters have some values."""
+    names = sorted(symbols(expression), key=str)
+    values = {x: sympy.Rational(37 + 10 * trial + 7 * k, 61) for k, x in enumerate(names)}
+    number = expression.xreplace(values).evalf(_DIGITS, maxn=2 * _DIGITS)
+    return bool(number.is_number and abs(number) < 10.0 ** (8 - _DIGITS))
+
+
+_DIGITS = 25

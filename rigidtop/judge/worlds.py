@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from itertools import combinations
 
 import numpy as np
 import sympy
@@ -212,6 +213,14 @@ def _found(
     parameters = np.array(
         [_is_parameter(x, letters) and not _is_of(x, may_vanish) for x in letters]
     )
+    sums = [
+        x
+        for e in equations
+        for x in _factors(e)
+        if all(_is_parameter(y, letters) for y in symbols(x))
+    ]
+    speeds = [x for x in letters if _may_be_negative(x)]
+    sums += [x - y for x, y in combinations(speeds, 2)]  # after an impact as before it
     every = np.zeros((len(letters), 0), complex)
     for seed in range(_SEEDS):
         try:
@@ -223,9 +232,9 @@ def _found(
         exact &= ~(np.abs(points[parameters]) < SMALLEST).any(axis=0)
         exact &= (np.abs(points) < 1e4).all(axis=0)
         every = np.hstack([every, points[:, exact]])
-        if seed and not every.size:
+        if not every.size and (seed or not any(_may_be_negative(x) for x in letters)):
             break  # what does not hold together at so many places hardly does at others
-        zero = np.abs(every) < 1e-6
+        zero = np.abs(np.vstack([every, Program(letters, every).values(sums).values])) < 1e-6
         real = np.abs(every.imag).max(axis=0, initial=0) < 1e-9
         # What vanishes wherever it was tried has to vanish: no other place will tell more.
         forced = zero[:, real].all(axis=1, keepdims=True)
@@ -235,13 +244,21 @@ def _found(
         return Worlds(tuple(letters), every)
     # A place where something happens to vanish says less than one where nothing does, or only
     # the rate of it.
-    vanishing = np.array([4 - min(_order(x), 3) for x in letters]) @ zero
+    vanishing = np.array([4 - min(_order(x), 3) for x in letters] + [4] * len(sums)) @ zero
     chosen = vanishing == vanishing.min()
     chosen = chosen & real if (chosen & real).sum() >= 2 else chosen
     return Worlds(tuple(letters), every[:, chosen][:, :WORLDS])
 
 
 _SEEDS = 3
+
+
+@lru_cache(maxsize=20_000)
+def _factors(expression: Expr) -> tuple[Expr, ...]:
+    """The sums by which something is multiplied in it, as B − ρ in (B − ρ) θ̈."""
+    bases = (x.base if x.is_Pow else x for x in expression.args)
+    own = [x for x in bases if x.is_Add] if expression.is_Mul else []
+    return tuple(dict.fromkeys([*own, *(y for x in expression.args for y in _factors(x))]))
 
 
 def _is_not_zero(
@@ -308,7 +325,18 @@ def _starts(letters: Sequence[Symbol], seed: int) -> Array:
         rng.uniform(-1.5, 1.5, _STARTS) if _order(x) else rng.uniform(0.5, 1.9, _STARTS)
         for x in letters
     ]
+    if seed:  # a speed may be one backwards
+        rows = [
+            row * rng.choice([-1, 1], _STARTS) if _may_be_negative(x) else row
+            for x, row in zip(letters, rows, strict=True)
+        ]
     return np.array(rows, complex).reshape(len(letters), _STARTS)
+
+
+def _may_be_negative(x: Symbol) -> bool:
+    """Whether it is a speed by its name."""
+    jet = jet_of(x)
+    return jet is not None and not jet.order and jet.letter.base in "uvwV"
 
 
 def _order(x: Symbol) -> int:

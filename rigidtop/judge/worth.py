@@ -22,6 +22,8 @@ _STEPS, _NEAR, _ROUNDED = 40, 100, 1e-12
 
 def number(question: Question, nearly: bool = False) -> Judgement | None:
     """The outcome where one side is a number and all that holds gives the other a number, too."""
+    if question.at.instant and not question.moves(*question.gaps):
+        question = question.always()
     if own_letters(question.right) or not all(are_numbers(x, x) for _, x in question.both):
         return None
     factor = ratio(question)

@@ -20,6 +20,7 @@ _LET_GO = r"(?:released|let go|dropped|losgelassen|lâchée?s?|abandonnée?s?)"
 _REST = re.compile(
     r"\b(?:(?:start|begin|falls?|moves? off|set(?:ting|s)? (?:off|out)|initially|released|dropped)"
     r"\w*(?: [\w'-]+){0,3} (?:at|from|in) rest"
+    r"|rests? (?:at|in|on)\b[^.;]{0,40}\buntil"
     r"|(?:from rest|aus der Ruhe|(?:anfangs|zu Beginn|zunächst) (?:\w+ ){0,2}in Ruhe"
     r"|ruht (?:anfangs|zu Beginn|zunächst)|part(?:ant|ent)? du repos|initialement au repos)"
     r"|(?:without|ohne|sans)(?: \w+)?(?: initiale?r?)?"

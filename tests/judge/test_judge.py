@@ -269,7 +269,7 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 . \dot w = -\frac{kg}R
 . w(0) = w_0
 + w = w_0 - \frac{kg}Rt
-. \tau = \frac{Rw_0}{kg}
++ \tau = \frac{Rw_0}{kg}
 + \int_0^\tau w\,dt = \frac{Rw_0^2}{2kg}
 - \int_0^\tau w\,dt = \frac{Rw_0^2}{kg}
 
@@ -343,7 +343,7 @@ x \frac{da}{dn} = \frac{M(K - nJ^2)}{n^2J + K}
 
 # a start that words tell
 . m\dot v = mg - cv^2
-. v_\infty = \sqrt{\frac{mg}c}
++ v_\infty = \sqrt{\frac{mg}c}
 > Released from rest it has the speed
 + v = v_\infty\tanh\frac{gt}{v_\infty}
 - v = v_\infty\tanh\frac{gt}{2v_\infty}

@@ -1,0 +1,388 @@
+"""Letters that name what is known already: a an acceleration, T a kinetic energy, x_max a maximum.
+
+What a text says of such a letter follows where it is what letters of that name stand for. Where it
+is not the letter is something else, and named so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass, replace
+
+import numpy as np
+from sympy import Expr, Integer, MatrixBase, Symbol
+
+from rigidtop.judge.context import PREMISE as SUPPOSED
+from rigidtop.judge.context import SETTING, Constraint, Context
+from rigidtop.judge.faults import slip
+from rigidtop.judge.jets import TIME, jet_of, jets
+from rigidtop.judge.meaning import Meant
+from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
+from rigidtop.judge.program import Program, UnknownFunctionError
+from rigidtop.judge.question import Judgement, Pair, Question
+from rigidtop.judge.sides import ZERO, named, own_letters
+from rigidtop.judge.starts import COORDINATES, PLACES, SPEED, SPEEDS
+from rigidtop.judge.values import UnclearError
+from rigidtop.judge.worlds import symbols_of
+from rigidtop.tree import nodes as n
+from rigidtop.tree.latex import latex
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.plain import plain as in_words
+
+_CLOCK = Letter("t")
+_SQUARE = n.Number("2")
+_KINETIC, _POTENTIAL = Letter("T"), Letter("V")
+_TOTALS = tuple(map(Letter, "EHL"))
+_LATE = "at last"
+_EXTREMES = ("max", "min", "top", "1", "2")
+
+
+@dataclass(frozen=True, eq=False)
+class Quantity:
+    """Something that a letter may name, in `words`, where `context` is known, at an `instant`.
+
+    It is a formula, or two expressions have to be equal: a pair of sides.
+    """
+
+    words: str
+    node: Node | None = None
+    context: Context | None = None
+    pair: Pair | None = None
+    instant: str = ""
+
+
+def with_meaning(question: Question, judgement: Judgement) -> Judgement:
+    """What becomes of a new letter that names something known: it follows."""
+    outcome, context = judgement
+    left = question.left
+    letter = left.base if isinstance(left, n.Power) else named(left)[0]
+    known = question.context.definitions.keys() | question.moving
+    new = isinstance(letter, Letter) and letter not in known
+    if outcome.verdict not in (DEFINITION, PREMISE) or question.inner or not new:
+        return judgement
+    if question.at.inline and not question.at.derived and not question.at.instant:
+        return judgement  # what words name in passing
+    assert isinstance(letter, Letter)
+    for each in _quantities(question, letter):
+        with suppress(UnclearError, UnknownFunctionError):
+            asked = _asked(question, letter, each)
+            if asked.worlds.count and asked.left != asked.right and asked.holds():
+                rests_on = asked.rests_on - {question.at.number}
+                return Outcome(SAMPLED, f"it is {each.words}", rests_on), context
+    wrong = _wrong_energy(question, letter)
+    return judgement if wrong is None else wrong
+
+
+def _asked(question: Question, letter: Letter, quantity: Quantity) -> Question:
+    """Whether what is said of a letter is so of a quantity."""
+    context = quantity.context or question.context
+    if quantity.instant:
+        at = replace(question.at, instant=quantity.instant)
+        question = replace(question, at=at, premises=replace(question.premises, instant=at.instant))
+    if quantity.pair is not None:
+        return question.within(context).of([quantity.pair])
+    assert quantity.node is not None
+    power = isinstance(question.left, n.Power)
+    left = n.replaced(question.left, letter, quantity.node) if power else quantity.node
+    return replace(question.within(context), left=left, asked=None)
+
+
+def _quantities(question: Question, letter: Letter) -> Iterator[Quantity]:
+    """What a letter usually names, by its base."""
+    if letter.bold or letter.base == "Δ":
+        return
+    if letter.base == "a":
+        yield from _accelerations(question)
+    if letter.base in "vwucV":
+        yield from _speeds(question, letter)
+    if letter.base in "tτ" or (letter.base == "T" and letter.sub.isdigit()):
+        yield from _zeros(question)
+    if letter.base in "τTP":
+        yield from _turns(question)
+    if letter.base in "Ωωwn":
+        yield from _rates(question)
+    if letter == _KINETIC:
+        yield from _kinetic(question)
+    if letter in (_POTENTIAL, Letter("U")):
+        yield from _weight(question)
+    if letter.base in "UVW":
+        yield from _effective(question)
+    yield from _at_a_time(question.context, letter)
+    if letter.sub in _EXTREMES:
+        yield from _extremes(question, letter)
+    if not letter.sub:
+        yield from _entries(question.context, letter)
+
+
+# --- Velocities and accelerations ----------------------------------------------------------------
+
+
+def _accelerations(question: Question) -> Iterator[Quantity]:
+    context = question.context
+    for x in sorted(question.moving, key=str):
+        if x.base in COORDINATES | {SPEED.base} and not x.bold:
+            yield Quantity(f"the acceleration of {in_words(x)}", _change_of(x))
+    # v² = 2 a s, where nothing is said of rates.
+    places = [x for x in map(Letter, sorted(PLACES)) if x in context.letters]
+    if SPEED in context.letters and not question.moving and len(places) == 1:
+        [place] = places
+        way = Constraint(n.Rate(place, 1, True), SPEED, question.at.number, SUPPOSED)
+        driven = n.letters(context.definitions[SPEED].node) if SPEED in context.definitions else ()
+        turning = {x for x in driven if x.base in "ωΩw"}
+        moving = context.habits.moving | {place, SPEED, *turning}
+        known = replace(context, habits=replace(context.habits, moving=moving)).holding(way)
+        yield Quantity("the acceleration", n.Rate(SPEED, 1, True), known)
+
+
+def _change_of(x: Letter) -> Node:
+    """The acceleration of a place, or the rate of a speed."""
+    return n.Rate(x, 1 if x.base in SPEEDS else 2, True)
+
+
+def _speeds(question: Question, letter: Letter) -> Iterator[Quantity]:
+    context, at = question.context, question.at
+    for x in sorted(question.moving, key=str):
+        if x.base in SPEEDS and not x.bold and x != letter:
+            still = Constraint(n.Rate(x, 1, True), ZERO, at.number, SETTING, at.scope, _LATE)
+            known = context.holding(still)
+            words = f"the speed that {in_words(x)} reaches"
+            yield Quantity(words, n.Absolute(x), known, instant=_LATE)
+    for x in sorted(question.moving, key=str):
+        if x.base in PLACES and not x.bold:
+            yield Quantity(f"the rate of {in_words(x)}", n.Rate(x, 1, True))
+    speed = _speed(question)
+    if speed is None:
+        return
+    yield Quantity("the speed", speed)
+    for x in sorted(question.moving, key=str):  # at the lowest point
+        if at.instant and x.base in COORDINATES:
+            middle = Constraint(x, ZERO, at.number, SETTING, at.scope, at.instant)
+            yield Quantity(
+                f"the speed where {in_words(x)} vanishes", speed, context.holding(middle)
+            )
+
+
+def _speed(question: Question) -> Node | None:
+    """The speed of the one body of which the kinetic energy is known."""
+    kinetic = _kinetic_part(question)
+    if kinetic is None:
+        return None
+    masses = [
+        x
+        for x in symbols_of([kinetic])
+        if (jet := jet_of(x)) is not None and jet.letter.base in "mM"
+    ]
+    if len(masses) != 1 or kinetic.diff(masses[0]).has(masses[0]):
+        return None
+    return n.Root(Meant(2 * kinetic / masses[0]))
+
+
+def _kinetic_part(question: Question) -> Expr | None:
+    """What is quadratic in rates in an energy or a Lagrangian, if nothing is linear in them."""
+    for letter in (_KINETIC, *_TOTALS):
+        if letter not in question.context.definitions:
+            continue
+        with suppress(UnclearError):
+            energy = _with_momenta(question, letter)
+            speeds = {x: 0 for x, jet in jets(energy).items() if jet.order == 1}
+            kinetic = energy - energy.subs(speeds)
+            if speeds and not any(kinetic.diff(x).subs(speeds) != 0 for x in speeds):
+                return kinetic
+    return None
+
+
+def _with_momenta(question: Question, letter: Letter) -> Expr:
+    """An energy in the momenta in which it is written, as numbers of their own."""
+    meaning, definition = question.meaning(), question.context.definitions[letter]
+    node = (definition.node, *definition.also)[-1]
+    momenta = frozenset(x for x in n.letters(node) if meaning.is_momentum(x))
+    return meaning.with_(held=momenta).scalar(node)
+
+
+_ANGLES = frozenset("θφψαβϑϕχ")
+
+
+def _rates(question: Question) -> Iterator[Quantity]:
+    """How fast an angle changes."""
+    for x in sorted(question.moving, key=str):
+        if x.base in _ANGLES and not x.bold:
+            yield Quantity(f"the rate of {in_words(x)}", n.Rate(x, 1, True))
+
+
+def _turns(question: Question) -> Iterator[Quantity]:
+    """How long a turn takes at a rate that is known."""
+    turn = n.Product((n.Number("2"), Letter("π")))
+    for x in sorted(question.context.letters, key=str):
+        if x.base in "ωΩwn" and not x.bold:
+            yield Quantity("the time of a turn", n.Quotient(turn, x))
+    for each in _rates(question):
+        assert each.node is not None
+        yield Quantity("the time of a turn", n.Quotient(turn, each.node))
+
+
+# --- Energies ------------------------------------------------------------------------------------
+
+
+def _kinetic(question: Question) -> Iterator[Quantity]:
+    """½ m (ẋ² + ẏ²) of the bodies of which it is said where they are."""
+    terms: list[Node] = []
+    for mass in _masses(question):
+        places = _places_of(mass, question.context)
+        if not places:
+            return
+        squares = tuple(n.Power(n.Rate(x, 1, True), _SQUARE) for x in places)
+        half = n.Quotient(n.Number("1"), _SQUARE)
+        terms.append(n.Product((half, mass, n.Group(n.Sum(squares)))))
+    if terms:
+        yield Quantity("the kinetic energy", n.Sum(tuple(terms)))
+
+
+def _masses(question: Question) -> list[Letter]:
+    """The masses in the right side."""
+    return sorted(
+        (x for x in own_letters(question.right) if x.base in "mM" and not x.bold), key=str
+    )
+
+
+def _places_of(mass: Letter, context: Context) -> list[Letter]:
+    """The places x, y, z of a body, which have the index of its mass."""
+    names = (Letter(x, mass.sub) for x in "xyz")
+    moving = context.habits.moving
+    return [x for x in names if x in context.definitions or (x in moving and x in context.letters)]
+
+
+def _weight(question: Question) -> Iterator[Quantity]:
+    """m g y, or m g z, of the bodies of which it is said where they are."""
+    masses = _masses(question)
+    for name in "yz":
+        heights = [Letter(name, mass.sub) for mass in masses]
+        if masses and all(x in question.context.definitions for x in heights):
+            pairs = zip(masses, heights, strict=True)
+            terms = tuple(n.Product((mass, Letter("g"), x)) for mass, x in pairs)
+            yield Quantity("the potential energy of the weight", n.Sum(terms))
+
+
+def _effective(question: Question) -> Iterator[Quantity]:
+    """What is left of an energy without the square of a rate."""
+    kinetic = _kinetic_part(question)
+    energy = next((x for x in _TOTALS[:2] if x in question.context.definitions), None)
+    if kinetic is not None and energy is not None:
+        yield Quantity("the effective potential", n.Sum((energy, n.Negative(Meant(kinetic)))))
+    if kinetic is not None and Letter("L") in question.context.definitions:
+        rest = n.Sum((Meant(kinetic), n.Negative(Letter("L"))))
+        yield Quantity("the effective potential", rest)
+
+
+def _wrong_energy(question: Question, letter: Letter) -> Judgement | None:
+    """The slip in a kinetic energy, where it is said where the body is."""
+    if letter != _KINETIC or question.left != letter or len(_written_places(question)) > 0:
+        return None
+    for each in _kinetic(question):
+        asked = _asked(question, letter, each)
+        with suppress(UnclearError, UnknownFunctionError):
+            wrong = slip(asked)
+            if wrong is not None and wrong.change.left == asked.left:
+                line = f"{latex(letter)} = {latex(wrong.change.right)}"
+                return replace(wrong.outcome, right=line), question.context
+    return None
+
+
+def _written_places(question: Question) -> list[Letter]:
+    """The places in which the right side itself is written."""
+    return [x for x in own_letters(question.right) if x.base in "xyz"]
+
+
+# --- Times, and values at them -------------------------------------------------------------------
+
+
+def _zeros(question: Question) -> Iterator[Quantity]:
+    """When something that is given in time, or its rate, vanishes."""
+    for x in sorted(question.context.definitions, key=str):
+        if x.base not in COORDINATES | SPEEDS:
+            continue
+        with suppress(UnclearError):
+            value = question.meaning().value(x)
+            when = question.meaning().scalar(question.right)
+            if isinstance(value, MatrixBase) or not value.has(TIME):
+                continue
+            for gap in (value, value.diff(TIME)):
+                there = gap.subs(TIME, when)
+                if gap.has(TIME) and not isinstance(question.left, n.Power):
+                    yield Quantity(f"when {in_words(x)} vanishes", pair=(there, Integer(0)))
+
+
+def _at_a_time(context: Context, letter: Letter) -> Iterator[Quantity]:
+    """What is given in time at a moment t₁ that has the same index, or at the latest one."""
+    same = Letter("t", letter.sub) if letter.sub else None
+    latest = [x for x in context.instants.values() if x is not None and x != ZERO]
+    for time in (same if same in context.definitions else None, *latest[-1:]):
+        for x in sorted(context.definitions, key=str):
+            own = x.base == letter.base or time is not same
+            if time is not None and own and x != letter and x.base in COORDINATES | SPEEDS:
+                yield Quantity(f"{in_words(x)} at that time", n.At(x, _CLOCK, time))
+            if time is not None and letter.base == SPEED.base and x.base in PLACES:
+                way = n.Absolute(n.At(n.Rate(x, 1, True), _CLOCK, time))
+                yield Quantity(f"the rate of {in_words(x)} at that time", way)
+
+
+# --- Greatest and least values -------------------------------------------------------------------
+
+_MOST_TIMES, _LONGEST = 6001, 30.0
+_NEAR = 1e-4
+"""A greatest value is known to this share of it."""
+
+
+def _extremes(question: Question, letter: Letter) -> Iterator[Quantity]:
+    """The greatest or the least value of what has the same base."""
+    base = replace(letter, sub="")
+    with suppress(UnclearError):
+        value = question.meaning().value(base)
+        right = question.meaning().scalar(question.right)
+        if isinstance(value, MatrixBase) or base not in question.context.definitions:
+            return
+        for x in _runs(value, question):
+            if not right.has(x) and _is_extreme(value, right, x):
+                words = f"an extreme value of {in_words(base)}"
+                yield Quantity(words, pair=(right, right))
+                return
+
+
+def _runs(value: Expr, question: Question) -> list[Symbol]:
+    """What a value changes with: the time, or an angle."""
+    angles = (x for x, jet in jets(value).items() if jet.letter.base in "θφψαϑϕ" and not jet.order)
+    return [TIME] if value.has(TIME) else sorted(angles, key=str)
+
+
+def _is_extreme(value: Expr, right: Expr, x: Symbol) -> bool:
+    """Whether a number is the greatest or the least value, or with another sign the least one."""
+    others = symbols_of([value - x, right])
+    span = np.linspace(0, _LONGEST if x == TIME else 2 * np.pi, _MOST_TIMES)
+    for seed in range(_TRIALS):
+        rng = np.random.default_rng(seed)
+        points = np.tile(rng.uniform(0.2, 0.9, (len(others), 1)), (1, len(span)))
+        rows = [span if each == x else row for each, row in zip(others, points, strict=True)]
+        at = Program(others, np.array(rows, complex)).values([value, right]).values.real
+        extremes = at[0].max(), at[0].min()
+        if not np.isfinite(at).all() or not np.isclose(at[1, 0], extremes, _NEAR, 0).any():
+            return False
+    return True
+
+
+_TRIALS = 3
+
+# --- Matrices of what has names ------------------------------------------------------------------
+
+
+def _entries(context: Context, letter: Letter) -> Iterator[Quantity]:
+    """The matrix of what I_xx, I_xy, … stand for."""
+
+    def entry(row: str, column: str) -> Letter | None:
+        names = (Letter(letter.base, row + column), Letter(letter.base, column + row))
+        return next((x for x in names if x in context.definitions), None)
+
+    for axes in ("xyz", "123"):
+        rows = [[entry(row, column) for column in axes] for row in axes]
+        if all(row[k] is not None for k, row in enumerate(rows)):
+            entries = tuple(tuple(x or ZERO for x in row) for row in rows)
+            yield Quantity("the matrix of its entries", n.Matrix(entries))

@@ -1,0 +1,93 @@
+"""What a text may leave unsaid: contexts in which a line may be meant where it does not follow.
+
+If it follows in one of them, that was meant. A slip there is told where little else can be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rigidtop.judge import neighbours, places, states
+from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.laws import LAGRANGIANS
+from rigidtop.judge.meaning import Memory
+from rigidtop.judge.sides import letters_in
+from rigidtop.judge.situation import Situation
+from rigidtop.judge.starts import with_acceleration, with_energy, with_force
+from rigidtop.read.phrases import Cue
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node, letters
+from rigidtop.tree.statement import Statement
+
+
+@dataclass(frozen=True, eq=False)
+class Supposition:
+    """A context in which a statement may be meant, with what the words would say then.
+
+    It `lasts` where what is supposed is known from there on, and `tells` where a slip is one;
+    `words` say what is supposed, where that has to be said.
+    """
+
+    statement: Statement
+    situation: Situation
+    context: Context
+    lasts: bool = False
+    tells: bool = False
+    words: str = ""
+
+
+def suppositions(
+    statement: Statement, at: Situation, context: Context, memory: Memory, is_open: bool
+) -> Iterator[Supposition]:
+    """What may be meant with a statement that does not follow; it may be wrong unless `is_open`."""
+
+    def supposed(known: Context | None, **more: object) -> Iterator[Supposition]:
+        if known is not None and known is not context:
+            yield Supposition(statement, at, known, **more)  # type: ignore[arg-type]
+
+    if not at.inline:
+        written = letters_in(statement) - {statement.sides[0]}
+        yield from supposed(context.without_cases(written), lasts=True)
+    yield from supposed(states.stated(statement, at, context), tells=True)
+    yield from supposed(places.alike(at, context), lasts=True, tells=True)
+    yield from supposed(_with_gravity(statement, at, context), words="with g = 9.81 m/s²")
+    begun = places.begun(statement, at, context)
+    if begun is not None:
+        yield from supposed(with_energy(begun, at.number, at.scope), lasts=True)
+    if _accelerates(statement):
+        lawless = not any(x in context.definitions for x in LAGRANGIANS)
+        if is_open and lawless and not (at.inline or at.instant):
+            conserved = with_energy(context, at.number, at.scope)
+            yield from supposed(conserved, lasts=True, tells=at.derived)
+        beside = neighbours.beside(statement, at, context, memory)
+        if beside is not None:
+            yield Supposition(statement, at.hearing(Cue.SMALL), beside)
+        yield from supposed(with_acceleration(context, at.number), lasts=True, tells=True)
+        yield from supposed(with_force(statement, context, at.number), lasts=True, tells=True)
+    for there in places.placed(statement, at, context):
+        changed = places.with_rates(statement, context)
+        yield Supposition(changed, at, there, tells=True)
+
+
+def _accelerates(statement: Statement) -> bool:
+    """Whether a second rate stands in it."""
+    nodes = (x for side in statement.sides for x in n.walked(side))
+    return any(isinstance(x, n.Rate) and x.order == 2 for x in nodes)
+
+
+_WEIGHT = Letter("g")
+
+
+def _with_gravity(statement: Statement, at: Situation, context: Context) -> Context | None:
+    """What is known with the usual g, where a number is said that g of no value stands behind."""
+    free = _WEIGHT in context.letters and _WEIGHT not in context.definitions
+    left, right = statement.sides[0], statement.sides[-1]
+    number = not letters(right) and any(isinstance(x, n.Number) for x in n.walked(right))
+    if not free or not number or left == _WEIGHT or letters(left) & context.habits.moving:
+        return None
+    value: Node = n.Number("9.81")
+    if any(isinstance(x, n.Unit) for x in n.walked(right)):
+        second = n.Power(n.Unit("s"), n.Number("2"))
+        value = n.Product((value, n.Quotient(n.Unit("m"), second)))
+    return context.defining(_WEIGHT, Definition(value, at.number, at.scope))
