@@ -95,9 +95,10 @@ class _Answer:
 
     `contexts` are the task's with what the answer has set and named, and `names` what letters are
     called, which is asked where a line follows from nothing else; `believed` is what would hold
-    if the first wrong line were right.  `sound` are the equalities that follow, `chain` the sides
-    of the last chain, and `lost` what a right line leaves out; `in_body`: dots on vectors may be
-    rates as they are seen from the body.  `moment` is the instant of which the last line speaks.
+    if the first wrong line were right.  `sound` are the equalities that follow, `momentary` those
+    of them that are said of one moment, `chain` the sides of the last chain, and `lost` what a
+    right line leaves out; `in_body`: dots on vectors may be rates as they are seen from the body.
+    `moment` is the instant of which the last line speaks.
     """
 
     judge: Judge
@@ -106,6 +107,7 @@ class _Answer:
     branches: tuple[Branch, ...]
     believed: tuple[Context, ...] = ()
     sound: tuple[Statement, ...] = ()
+    momentary: tuple[Statement, ...] = ()
     chain: tuple[Node, ...] = ()
     lost: tuple[str, ...] = ()
     carried: bool = False
@@ -156,10 +158,12 @@ class _Answer:
         elif outcome.verdict == FALSE:
             believed = tuple(_believing(context, each) for context in self.contexts)
         chain = (*self.chain, *each.sides[1:]) if each.continues and self.chain else each.sides
-        sound = self.sound
+        sound, momentary = self.sound, self.momentary
         started = at.instant == START  # it holds at the start alone
         if outcome.passed is not False and outcome.verdict != UNDECIDED and not started:
-            sound = (*sound, *equalities(chain, each))
+            said = equalities(chain, each)
+            sound = (*sound, *said)
+            momentary = (*momentary, *said) if at.instant else momentary
         special = bool(outcome.passed) and place == len(self.contexts) - 1
         lost = self._lost(each) if special else ()
         answer = replace(
@@ -168,6 +172,7 @@ class _Answer:
             names=names,
             believed=believed,
             sound=sound,
+            momentary=momentary,
             chain=chain,
             lost=tuple(dict.fromkeys((*self.lost, *lost))),
             carried=carried,
@@ -333,7 +338,8 @@ def _marking(lines: tuple[Marked, ...], answer: _Answer, task: Task, until: floa
     def reached(together: Together, statements: Sequence[Statement]) -> bool:
         return all(is_reached(each, statements, contexts) for each in together)
 
-    arrives = any(reached(together, answer.sound) for together in task.goals)
+    always = tuple(x for x in answer.sound if x not in answer.momentary)
+    arrives = any(reached(x, said) for said in (answer.sound, always) for x in task.goals)
     if time.process_time() > until:
         problem = "" if arrives else "the time for the answer was over"
         return Marking(lines, arrives, task.name, answer.lost, problem)

@@ -85,6 +85,50 @@ def test_a_component_is_what_its_vector_is_along_that_axis():
     assert mark(source.format(r"\lambda_3"), ends).first_wrong.line == 3
 
 
+ASCII = """
+    L_z = L_3*cos(theta) + lambda_1*phidot*sin(theta)^2
+
+Solve for phidot (not at the poles, where sin(theta) = 0):
+
+    phidot = (L_z - L_3*cos(theta)) / (lambda_1*sin(theta)^2)
+"""
+
+
+@pytest.mark.parametrize(
+    ("ends", "source"),
+    [
+        ("3.43 3.45", ASCII),
+        # a letter for one of the notes, and places behind what was to be shown
+        ("3.53 3.55", r"I write $A$ for $\lambda_1$ and $C$ for $\lambda_3$."
+         r"$$p_\phi=(A\sin^2\theta+C\cos^2\theta)\dot\phi+C\dot\psi\cos\theta=\text{const.}$$"
+         r" At $\theta=\pi/2$ one gets $p_\phi=A\dot\phi$, at $\theta=0$ one gets"
+         r" $p_\phi=C(\dot\phi+\dot\psi)$."),
+        # an effective potential in letters that stay what they are
+        ("3.53 3.54", r"$$U(\theta)=\frac{(L_z-L_3\cos\theta)^2}{2\lambda_1\sin^2\theta}"
+         r"+MgR\cos\theta$$ $$\lambda_1\ddot\theta=-U'(\theta)$$ With"
+         r" $L_z-L_3\cos\theta=\lambda_1\dot\phi\sin^2\theta$ $$\lambda_1\ddot\theta="
+         r"\lambda_1\dot\phi^2\sin\theta\cos\theta-\lambda_3(\dot\psi+\dot\phi\cos\theta)"
+         r"\dot\phi\sin\theta+MgR\sin\theta$$"),
+        # parts of a sum are named one after the other
+        ("3.42 3.44", r"$$T=T_1+T_2$$ $$T_1=\tfrac12\lambda_1(\dot\phi^2\sin^2\theta"
+         r"+\dot\theta^2)$$ $$T_2=\tfrac12\lambda_3(\dot\psi+\dot\phi\cos\theta)^2$$"
+         r"$$T=\tfrac12\lambda_1(\dot\phi^2\sin^2\theta+\dot\theta^2)"
+         r"+\tfrac12\lambda_3(\dot\psi+\dot\phi\cos\theta)^2$$"),
+    ],
+)  # fmt: skip
+def test_what_students_write_passes(ends, source):
+    marking = mark(source, task(*ends.split()))
+    assert marking.first_wrong is None
+    assert marking.passed
+
+
+def test_a_part_of_a_sum_that_does_not_fit_is_wrong():
+    source = r"""$$T=T_1+T_2$$
+$$T_1=\tfrac12\lambda_1(\dot\phi^2\sin^2\theta+\dot\theta^2)$$
+$$T_2=\lambda_3(\dot\psi+\dot\phi\cos\theta)^2$$"""
+    assert mark(source, task("3.42", "3.44")).first_wrong.line == 3
+
+
 def test_values_at_the_start_may_stand_in_a_chain():
     source = "$\\omega_1(0)=\\omega_3(0)=0$, $\\omega_2(0)=w$."
     assert mark(source, task("3.36", "principal-stays")).first_wrong is None
