@@ -591,14 +591,20 @@ def test_a_worker_of_a_cluster_is_killed_and_nothing_is_lost(tmp_path):
                 os.kill(pid, signal.SIGKILL)
                 killed.append((pid, len(keys)))
 
-        found = run(
-            sweep, tmp_path / "map.npy", client.get_executor(), block_size=1000, progress=progress
-        )
+        def swept():
+            executor, file = client.get_executor(), tmp_path / "map.npy"
+            return run(sweep, file, executor, block_size=1000, progress=progress)
+
+        try:
+            found = swept()
+        except rt.RigidtopError:  # Dask's executor itself may fail as a worker is killed
+            assert killed
+            found = swept()  # goes on from there
         left = set(client.run(os.getpid).values())
     [(pid, waiting)] = killed
     assert waiting > 0
     assert pid not in left
-    assert seen == list(range(0, 150_001, 1000))
+    assert sorted({*seen}) == list(range(0, 150_001, 1000))
     assert np.array_equal(found.values.ravel(), in_blocks(sweep, 1000))
 
 
