@@ -175,8 +175,9 @@ def number_again(question: Question) -> Judgement | None:
     measured = any(isinstance(x, n.Unit) for x in n.walked(older.node))
     given = not own_letters(older.node) and (measured or not own_letters(question.right))
     other = at.inline and not (at.derived or question.inner)
-    again = bool(own_letters(question.right)) or not at.derived  # on the moon, g = 1.62 m/s²
-    other |= measured and again and not question.inner
+    anew = (at.supposed or at.defined) and not at.derived
+    anew |= bool(own_letters(question.right))
+    other |= measured and anew and not question.inner
     if not given or not (other or _may_be_another(question, older)):
         return None
     if compared(question.left, question.right, question.meant).passed:

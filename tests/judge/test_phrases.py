@@ -151,3 +151,11 @@ At the limit $$ v = \sqrt{\mu g r}. $$
 """
     outcome = judged(text)[-1].outcome
     assert (outcome.verdict, outcome.why) == ("definition", "v is used again")
+
+
+def test_a_measured_number_that_comes_again_is_another_one_only_where_words_take_it():
+    given = r"A rod has the moment $J = 4\,\mathrm{kg\,m^2}$. "
+    taken = judged(given + r"We now take $$ J = 9\,\mathrm{kg\,m^2} $$")[-1].outcome
+    assert (taken.verdict, taken.why) == ("definition", "J is used again")
+    stated = judged(given + r"As stated above, $$ J = 9\,\mathrm{kg\,m^2} $$")[-1].outcome
+    assert (stated.verdict, stated.why) == ("false", "the left side is 4 kg m²")
