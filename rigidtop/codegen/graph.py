@@ -363,10 +363,13 @@ class Graph:
 
 
 def _quick(number: Expr) -> Number:
-    """A number of SymPy as one of Python, where that loses nothing."""
+    """A number of SymPy as one of Python, which loses nothing."""
     if number.is_Integer:
         return int(number)
-    return Fraction(number.p, number.q) if number.is_Rational else number
+    exact = sympy.Rational(number)
+    if number.is_Float and sympy.Rational(float(number)) == exact:
+        return float(number)
+    return Fraction(exact.p, exact.q)
 
 
 def _sign(number: Number) -> int:

@@ -25,7 +25,7 @@ from sympy import Expr, MatrixBase, Symbol
 
 from rigidtop.codegen.graph import Graph, somewhere
 from rigidtop.codegen.lines import StraightLine, straight_line
-from rigidtop.codegen.nodes import MINUS, ZERO, Value
+from rigidtop.codegen.nodes import MINUS, ONE, ZERO, Value
 
 NEGLIGIBLE = 1e-20
 """Part of the largest entry of a matrix up to which another is none."""
@@ -95,6 +95,26 @@ def solutions(
             terms.append(graph.product([MINUS, factor, value]))
         x[c] = graph.total(terms)
     return [x[k] for k in range(len(b))]
+
+
+def ldl(graph: Graph, matrix: Sequence[Sequence[Value]]) -> tuple[list[Value], list[list[Value]]]:
+    """D and L of A = L D Lᵀ: a quadratic form that is nowhere negative, as a sum of squares.
+
+    Where an entry of D is none, the rest of its row is none either.
+    """
+    n = len(matrix)
+    diagonal, lower = [ZERO] * n, [[ONE if i == j else ZERO for j in range(n)] for i in range(n)]
+    for j in range(n):
+
+        def rest(i: int, j: int = j) -> Value:
+            own = (graph.product([lower[i][k], lower[j][k], diagonal[k]]) for k in range(j))
+            return graph.difference(matrix[i][j], graph.total(own))
+
+        diagonal[j] = rest(j)
+        if diagonal[j] != ZERO:
+            for i in range(j + 1, n):
+                lower[i][j] = graph.product([rest(i)], [diagonal[j]])
+    return diagonal, lower
 
 
 def _pivot(

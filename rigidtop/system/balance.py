@@ -18,7 +18,7 @@ from sympy import Expr
 from rigidtop.codegen.graph import Direction, Graph
 from rigidtop.codegen.nodes import MINUS, ONE, ZERO, Leaf, Power, Product, Sum, Value
 from rigidtop.codegen.nodes import parts as parts_of
-from rigidtop.codegen.solve import solutions
+from rigidtop.codegen.solve import ldl, solutions
 from rigidtop.system.names import Names
 from rigidtop.system.parts import Body, Part
 
@@ -155,7 +155,7 @@ class Balance:
         """What a Lagrangian gives besides parts; its squares ½ I w² are as theirs.
 
         (∂²L/∂q̇∂q̇) q̈ = ∂L/∂q + Q − what ∂L/∂q̇ changes by without q̈, and of the parts
-        Σ ((∂v/∂q̇)ᵀ(m v̇) + (∂ω/∂q̇)ᵀ(λω̇ + ω × λω)).
+        Σ ((∂v/∂q̇)ᵀ(m v̇) + (∂ω/∂q̇)ᵀ(Iω̇ + ω × Iω)).
         """
         graph, n = self.graph, len(self.velocities)
         L = graph.expression(given)
@@ -290,11 +290,11 @@ class Balance:
             yield from self.turning(part)
 
     def turning(self, body: Body) -> list[Row]:
-        """λω̇ + ω × λω, with ω from RᵀṘ = hat(ω)."""
+        """Iω̇ + ω × Iω, with ω from RᵀṘ = hat(ω), along the axes in which ω·Iω is three squares."""
         graph, names = self.graph, self.system.names
-        attitude = names.plain(body.attitude)
+        attitude, inertia = names.plain(body.attitude), names.plain(body.inertia)
         R = [[graph.expression(x) for x in attitude.row(k)] for k in range(3)]
-        moments = [graph.expression(names.plain(x)) for x in body.moments]
+        tensor = [[graph.expression(x) for x in inertia.row(k)] for k in range(3)]
 
         def spin(direction: Direction) -> list[Value]:
             rates = [[graph.derivative(x, direction) for x in row] for row in R]
@@ -303,17 +303,49 @@ class Balance:
                 for i, j in ((2, 1), (0, 2), (1, 0))
             ]
 
-        jacobian = list(zip(*map(spin, self.along_places), strict=True))
+        columns = [spin(each) for each in self.along_places]
         omega = [
             graph.total([x, *map(graph.product, zip(row, self.velocities, strict=True))])
-            for x, row in zip(spin(Direction({names.t: ONE})), jacobian, strict=True)
+            for x, row in zip(
+                spin(Direction({names.t: ONE})), zip(*columns, strict=True), strict=True
+            )
+        ]
+        biases = self.gyration(tensor, omega, [self.rate(w) for w in omega])
+        diagonal, lower = ldl(graph, tensor)
+        made = []
+        for k, inertia in enumerate(diagonal):
+            # The rows of Lᵀ turn ω into what is squared; L⁻¹ turns the torque into what drives it.
+            along = [(lower[i][k], i) for i in range(k, 3)]
+            jacobian = [
+                graph.total(graph.product([x, column[i]]) for x, i in along) for column in columns
+            ]
+            rate = graph.total(graph.product([x, omega[i]]) for x, i in along)
+            made.append(Row(jacobian, rate, inertia, biases[k]))
+            for i in range(k + 1, 3):
+                biases[i] = graph.difference(biases[i], graph.product([lower[i][k], biases[k]]))
+        return made
+
+    def gyration(
+        self, tensor: Sequence[Column], omega: Sequence[Value], rates: Sequence[Value]
+    ) -> list[Value]:
+        """Iω̇ + ω × Iω for rates ω̇: of the moments the differences stand together."""
+        graph = self.graph
+        tilted = [
+            graph.total(graph.product([tensor[i][j], omega[j]]) for j in range(3) if j != i)
+            for i in range(3)
         ]
         made = []
-        for i, (x, w) in enumerate(zip(moments, omega, strict=True)):
+        for i in range(3):
             j, k = (i + 1) % 3, (i + 2) % 3
-            turned = graph.product(
-                [graph.total([moments[k], self.less(moments[j])]), omega[j], omega[k]]
+            moments = graph.difference(tensor[k][k], tensor[j][j])
+            made.append(
+                graph.total(
+                    [
+                        *(graph.product([tensor[i][m], rates[m]]) for m in range(3)),
+                        graph.product([moments, omega[j], omega[k]]),
+                        graph.product([omega[j], tilted[k]]),
+                        self.less(graph.product([omega[k], tilted[j]])),
+                    ]
+                )
             )
-            bias = graph.total([graph.product([x, self.rate(w)]), turned])
-            made.append(Row(jacobian[i], w, x, bias))
         return made

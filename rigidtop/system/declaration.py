@@ -12,6 +12,8 @@ import sympy
 from sympy import Dummy, Expr, Symbol
 from sympy.core.function import AppliedUndef
 
+from rigidtop.codegen.graph import Direction, Graph, somewhere
+from rigidtop.codegen.nodes import ONE, ZERO
 from rigidtop.errors import RigidtopError
 from rigidtop.system.names import Given, Names, expression, own_functions
 
@@ -85,8 +87,20 @@ def check_rules(rules: Mapping[Expr, Expr], names: Names) -> None:
     for given, plain in rules.items():
         if not plain.has(*names.q, *names.v):
             raise RigidtopError(f"the constraint {given} = 0 has no coordinate and no velocity")
-        if any(plain.diff(v).has(*names.v) for v in names.v):
+        if not _is_linear(plain, [v for v in names.v if plain.has(v)]):
             raise RigidtopError(f"the constraint {given} = 0 is not linear in the velocities")
+
+
+def _is_linear(value: Expr, velocities: Sequence[Symbol]) -> bool:
+    """Whether no second derivative by velocities is left."""
+    along = [Direction({v: ONE}) for v in velocities]
+
+    def holds(graph: Graph) -> bool:
+        rule = graph.expression(value)
+        slopes = [graph.derivative(rule, each) for each in along]
+        return all(graph.derivative(x, each) == ZERO for x in slopes for each in along)
+
+    return not along or somewhere([value], holds)
 
 
 def is_even(value: Expr, x: Symbol) -> bool:

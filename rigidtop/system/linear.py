@@ -131,8 +131,8 @@ def linear(system: Derived, place: Place, inputs: Sequence[Expr] = ()) -> Linear
     names, n = system.names, len(system.q)
     moved = [x for x, v in zip(names.q, names.v, strict=True) if place[v] != 0]
     place = {x: value for x, value in place.items() if x not in moved}
-    M, force, K, C, U, A, D, speeds = _sides(system, place, inputs)
-    _hold(system, place, A, speeds, moved)
+    M, force, K, C, U, A, D, speeds, left = _sides(system, place, inputs)
+    _hold(system, place, A, speeds, left, moved)
     following = A.rref(iszerofunc=_is_zero)[1]
     if len(following) < A.rows:
         raise RigidtopError("the constraints depend on one another there")
@@ -158,13 +158,15 @@ def linear(system: Derived, place: Place, inputs: Sequence[Expr] = ()) -> Linear
     return Linear(place, M, C, K, U, coordinates, independent, P, N, carried)
 
 
-def _hold(system: Derived, place: Place, A: Matrix, speeds: Matrix, moved: Sequence[Expr]) -> None:
+def _hold(
+    system: Derived, place: Place, A: Matrix, speeds: Matrix, left: Matrix, moved: Sequence[Expr]
+) -> None:
     """Raises RigidtopError where a constraint, or its rate, does not hold at the place."""
     names = system.names
     for i, (rule, given) in enumerate(zip(system.rules, system.constraints, strict=True)):
         wanted = [(speeds[i], names.v)]
-        if not rule.has(*moved):
-            wanted.append((rule.subs(place), names.q if system.holonomic[i] else names.v))
+        if system.holonomic[i] and not rule.has(*moved):
+            wanted.append((left[i], names.q))
         _stands(system, place, [x for x, _ in wanted], moved)
         if not all(
             _is_zero(x) or _is_rounding(x, A[i, :], [place.get(y, sympy.S.Zero) for y in letters])
@@ -186,7 +188,10 @@ def _pushes(
 
 
 def _sides(system: Derived, place: Place, inputs: Sequence[Expr]) -> tuple[Matrix, ...]:
-    """M; F = f + Aᵀλ, by q, q̇ and inputs too; A; A q̇ + b by q, and itself; all at the place."""
+    """M; F = f + Aᵀλ, by q, q̇ and inputs too; A; A q̇ + b by q, and itself; the constraints.
+
+    All have their values at the place.
+    """
     names, n, k, m = system.names, len(system.q), len(system.rules), len(inputs)
 
     def values(graph: Graph) -> list[Expr]:
@@ -214,6 +219,7 @@ def _sides(system: Derived, place: Place, inputs: Sequence[Expr]) -> tuple[Matri
             *(x for row in sides.constraints for x in row),
             *slopes(sides.speeds, balance.along_places),
             *sides.speeds,
+            *map(graph.expression, system.rules),
         ]
         program = straight_line(graph, wanted, system.free())
         return list(program.written_out(place))
@@ -223,7 +229,7 @@ def _sides(system: Derived, place: Place, inputs: Sequence[Expr]) -> tuple[Matri
     if any(x.has(sympy.nan, sympy.zoo, sympy.oo) for x in left):
         raise RigidtopError("the equations are singular there: choose other coordinates")
     sides = []
-    for rows, columns in ((n, n), (n, 1), (n, n), (n, n), (n, m), (k, n), (k, n), (k, 1)):
+    for rows, columns in ((n, n), (n, 1), (n, n), (n, n), (n, m), (k, n), (k, n), (k, 1), (k, 1)):
         sides.append(Matrix(rows, columns, left[: rows * columns]))
         left = left[rows * columns :]
     return tuple(sides)
@@ -263,6 +269,8 @@ def _in_lowest_terms(value: Expr) -> Expr:
 
 
 def _shortened(value: Expr) -> Expr:
+    if value.is_number:
+        return sympy.expand(value)
     return short(value) if value.count_ops() < LARGEST else value
 
 

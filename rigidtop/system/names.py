@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 import sympy
-from sympy import Derivative, Eq, Expr, MatrixBase, Symbol
+from sympy import Derivative, Eq, Expr, Integral, MatrixBase, Sum, Symbol
 from sympy.core.function import AppliedUndef
 
 from rigidtop.errors import RigidtopError
@@ -26,6 +26,10 @@ ExprOrMatrix = TypeVar("ExprOrMatrix", Expr, MatrixBase)
 
 Given = Any
 """What SymPy takes for an expression; sequences and mappings of such."""
+
+
+UNDONE = (Derivative, Integral, Sum, sympy.Product)
+"""What may stand for something that is known: written out, where it is met."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +53,10 @@ class Names:
         back = {x: symbol for symbol, x in self.given.items()}
         # Derivatives first: a function would be found within its own.
         rates = {x: y for x, y in back.items() if isinstance(x, Derivative)}
-        return expression.doit().xreplace(rates).xreplace(back)
+        made = expression.xreplace(rates)
+        if made.has(*UNDONE):
+            made = expression.doit().xreplace(rates)
+        return made.xreplace(back)
 
     def back(self, expression: ExprOrMatrix) -> ExprOrMatrix:
         """An expression in plain symbols, in the given names."""

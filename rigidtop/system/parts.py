@@ -47,23 +47,25 @@ class Mass:
 
 @dataclass(frozen=True)
 class Body:
-    """A rigid body: mass, principal moments about its centre of mass, where that is, attitude.
+    """A rigid body: mass, inertia about its centre of mass, where that is, attitude.
 
-    The columns of `attitude` (3×3, such as `rigidtop.theory.rotation.euler_matrix`) are e₁, e₂, e₃
-    in space.  With the moments about a point at rest, and `mass` 0, the body turns about it.
+    `inertia` are the three principal moments, or a symmetric tensor (3×3) in the body's axes.  The
+    columns of `attitude` (3×3, such as `rigidtop.theory.rotation.euler_matrix`) are e₁, e₂, e₃
+    in space.  With the inertia about a point at rest, and `mass` 0, the body turns about it.
+
+    >>> from sympy import eye
+    >>> Body(1, [[2, 0, 1], [0, 3, 0], [1, 0, 4]], [0, 0, 0], eye(3)).inertia[0, 2]
+    1
     """
 
     mass: Expr
-    moments: tuple[Expr, Expr, Expr]
+    inertia: MatrixBase
     place: MatrixBase
     attitude: MatrixBase
 
-    def __init__(self, mass: Expr, moments: Sequence[Expr], place: Given, attitude: Given) -> None:
+    def __init__(self, mass: Expr, inertia: Given, place: Given, attitude: Given) -> None:
         object.__setattr__(self, "mass", expression("a mass", mass))
-        made = tuple(expression("a moment", x) for x in moments)
-        if len(made) != 3:
-            raise RigidtopError(f"a body has three principal moments, not {len(made)}")
-        object.__setattr__(self, "moments", made)
+        object.__setattr__(self, "inertia", _inertia(inertia))
         object.__setattr__(self, "place", _place(place))
         if not isinstance(attitude, MatrixBase) or attitude.shape != (3, 3):
             raise RigidtopError("an attitude is a 3×3 matrix with e₁, e₂, e₃ as its columns")
@@ -74,10 +76,26 @@ class Body:
     @property
     def expressions(self) -> tuple[Expr, ...]:
         """All that it is given."""
-        return (self.mass, *self.moments, *self.place, *self.attitude)
+        return (self.mass, *self.inertia, *self.place, *self.attitude)
 
 
 Part = Mass | Body
+
+
+def _inertia(given: Given) -> MatrixBase:
+    """The tensor (3×3)."""
+    rows = given.tolist() if isinstance(given, MatrixBase) else given
+    if not hasattr(rows, "__len__") or len(rows) != 3:
+        count = len(rows) if hasattr(rows, "__len__") else in_one_line(given)
+        raise RigidtopError(f"a body has three principal moments, not {count}")
+    if not any(hasattr(row, "__len__") for row in rows):
+        return sympy.ImmutableMatrix.diag(*(expression("a moment", x) for x in rows))
+    if any(not hasattr(row, "__len__") or len(row) != 3 for row in rows):
+        raise RigidtopError("an inertia is three principal moments, or a tensor with 3×3 entries")
+    made = sympy.ImmutableMatrix([[expression("a moment", x) for x in row] for row in rows])
+    if made != made.T:
+        raise RigidtopError("a tensor of inertia is symmetric: this one is not")
+    return made
 
 
 def _place(given: Given) -> MatrixBase:
@@ -116,15 +134,14 @@ def spin(attitude: MatrixBase, names: Names) -> Matrix:
 
 
 def kinetic_energy(parts: Sequence[Part], names: Names) -> Expr:
-    """½ Σ m ṙ² + ½ Σ λω², in plain symbols."""
+    """½ Σ m ṙ² + ½ Σ ω·Iω, in plain symbols."""
     total = Integer(0)
     for part in parts:
         v = velocity(names.plain(part.place), names)
         total += Rational(1, 2) * names.plain(part.mass) * reduce_trig(v.dot(v))
         if isinstance(part, Body):
             omega = spin(names.plain(part.attitude), names)
-            moments = map(names.plain, part.moments)
-            total += sum(x * w**2 for x, w in zip(moments, omega, strict=True)) / 2
+            total += omega.dot(names.plain(part.inertia) * omega) / 2
     return total
 
 

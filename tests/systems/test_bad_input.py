@@ -77,6 +77,9 @@ NUMBERS = {m: 1, k: 2}
         (lambda: SPRING.motion(NUMBERS, 1).integrate(1)[0], "no column 0: there are t, x, u,"),
         (lambda: rt.Mass(m, [1]), "a place has two or three components, not 1"),
         (lambda: rt.Body(m, [1, 2], [0, 0], None), "three principal moments, not 2"),
+        (lambda: rt.Body(m, [[1, 2], [2, 1], [0, 0]], [0, 0], None), "a tensor with 3×3 entries"),
+        (lambda: rt.Body(m, [[3, 1, 0], [0, 3, 0], [0, 0, 3]], [0, 0], None), "is symmetric"),
+        (lambda: rt.Body(m, 3, [0, 0], None), "three principal moments"),
         (lambda: rt.System.of_parts([x], x, u), "a part is a Mass or a Body, not x"),
     ],
 )

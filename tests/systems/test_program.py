@@ -9,7 +9,7 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sympy import cos, sin, symbols
+from sympy import Matrix, Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import rigidtop as rt
@@ -205,3 +205,30 @@ def test_a_long_program_in_c_computes_the_same(tmp_path):
     told = subprocess.run(["./it"], cwd=tmp_path, check=True, capture_output=True, text=True)
     found = [float(a) for a in told.stdout.split()]
     assert found == pytest.approx(system.numeric.solved.scalar(*at), rel=1e-11)
+
+
+def test_a_tensor_that_is_tilted_in_the_body_is_that_of_turned_principal_axes():
+    """A body by its tensor, and the same one by its principal moments and the axes they have."""
+    angles = dynamicsymbols("phi theta psi")
+    attitude = euler_matrix(*angles)
+    tilt = euler_matrix(Rational(1, 3), Rational(1, 2), Rational(-2, 7))
+    principal = Matrix.diag(2, 3, 4)
+    place = attitude[:, 2] / 3
+    by_tensor, by_moments = (
+        rt.System.of_parts(rt.Body(2, inertia, place, R), angles, gravity=[0, 0, -9.81])
+        for inertia, R in (
+            ((tilt * principal * tilt.T).applyfunc(lambda x: x.evalf(40)), attitude),
+            ((2, 3, 4), attitude * tilt),
+        )
+    )
+    at = [0.0, 0.3, 0.7, -0.4, 0.5, 1.1, -0.8]
+    one, other = (system.numeric.solved.scalar(*at) for system in (by_tensor, by_moments))
+    assert one == pytest.approx(other, rel=1e-12)
+    assert by_tensor.certify({})["Newton–Euler"] < 1e-12
+
+
+def test_decimals_and_fractions_go_together():
+    """Python's fractions know nothing of SymPy's decimals."""
+    mixed = rt.System(u**2 / 3 + 0.25 * u**2 * x**2 + Rational(2, 9) * x**2, [x], [u])
+    [force] = mixed.numeric.solved.scalar(0.0, 2.0, 1.0)
+    assert force == pytest.approx((4 / 9 * 2 - 0.5 * 2) / (2 / 3 + 0.5 * 4), rel=1e-15)
