@@ -8,6 +8,7 @@ Derivatives are forward ones, along coordinates, velocities and time; nothing is
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -18,9 +19,11 @@ from sympy import Expr
 from rigidtop.codegen.graph import Direction, Graph
 from rigidtop.codegen.nodes import MINUS, ONE, ZERO, Leaf, Power, Product, Sum, Value
 from rigidtop.codegen.nodes import parts as parts_of
-from rigidtop.codegen.solve import ldl, solutions
+from rigidtop.codegen.solve import SingularError, ldl, solutions
 from rigidtop.system.names import Names
 from rigidtop.system.parts import Body, Part
+
+HALF: Value = (Fraction(1, 2), 0)
 
 Column = Sequence[Value]
 """Values of a vector: its components, or one for each coordinate."""
@@ -41,6 +44,8 @@ class Given(Protocol):
     def rayleigh(self) -> Expr: ...
     @property
     def plain(self) -> Expr: ...
+    @property
+    def multipliers(self) -> tuple[Expr, ...]: ...
     @property
     def rules(self) -> tuple[Expr, ...]: ...
     @property
@@ -68,21 +73,51 @@ class Balanced:
     force: Column
     constraints: Sequence[Column]
     right: Column
+    rules: Column
+    """The constraints themselves."""
     speeds: Column
     """A q̇ + b, which the constraints let vanish."""
-    whole: Value
-    """A sum of all that L is made of: it has the letters of L."""
+    acting: Column
+    """Q − ∂ℱ/∂q̇."""
+    lagrangian: Value
+    momenta: Column
+    """∂L/∂q̇."""
+    energy: Value
+    """Jacobi's integral Σ p q̇ − L."""
+    power: Value
+    """The rate of the energy, Q·q̇ − ∂L/∂t − λ·b, with the letters of the multipliers."""
 
-    def solved(self) -> tuple[Graph, list[Value]]:
-        """The graph; q̈, and the multipliers with the sign that leaves the matrix symmetric: −λ."""
+    @cached_property
+    def solution(self) -> list[Value]:
+        """q̈, and the multipliers with the sign that leaves the matrix symmetric: −λ.
+
+        Raises SingularError.
+        """
         lines = [[*line, *(A[i] for A in self.constraints)] for i, line in enumerate(self.mass)]
         lines += [[*A, *(ZERO for _ in self.constraints)] for A in self.constraints]
-        return self.graph, solutions(self.graph, lines, [*self.force, *self.right])
+        return solutions(self.graph, lines, [*self.force, *self.right])
+
+    def why_singular(self, qdot: Iterable[Expr]) -> str:
+        """What is amiss where there is no solution, in one line."""
+        for v, column in zip(qdot, self.mass, strict=True):
+            if all(x == ZERO for x in column):
+                return f"the mass matrix is singular: L is not quadratic in {v}"
+        with suppress(SingularError):
+            solutions(self.graph, self.mass, self.force)
+            return "the constraints depend on one another: leave one out"
+        return (
+            "the mass matrix is singular: some combination of the velocities does not enter L, "
+            "or enters it only linearly"
+        )
+
+    def by_place(self, x: Expr) -> Value:
+        """∂L/∂q of a coordinate."""
+        return self.graph.derivative(self.lagrangian, Direction({x: ONE}))
 
     @property
     def leaves(self) -> list[Expr]:
         """The letters that enter."""
-        values = (self.whole, *self.force, *(x for row in self.mass for x in row))
+        values = (self.lagrangian, *self.force, *(x for row in self.mass for x in row))
         nodes = (self.graph.nodes[k] for k in self.graph.below(values))
         return [node.expression for node in nodes if isinstance(node, Leaf)]
 
@@ -160,15 +195,16 @@ class Balance:
         graph, n = self.graph, len(self.velocities)
         L = graph.expression(given)
         rows = [row for part in parts for row in self.rows(part)]
+        kinetic = [graph.product([HALF, row.inertia, row.rate, row.rate]) for row in rows]
         squares, left = self.squares(L)
         rows += [self.square(inertia, rate) for inertia, rate in squares]
-        slopes, momenta = (
+        slopes, pushes = (
             self.slopes(left, each) for each in (self.along_places, self.along_velocities)
         )
 
         def mass(i: int, j: int) -> Value:
             own = self.products((row.jacobian[i], row.jacobian[j], row.inertia) for row in rows)
-            return graph.total([own, graph.derivative(momenta[i], self.along_velocities[j])])
+            return graph.total([own, graph.derivative(pushes[i], self.along_velocities[j])])
 
         # From the last, which moves least: its sums are parts of those before.
         lower = {(i, j): mass(i, j) for i in reversed(range(n)) for j in range(i + 1)}
@@ -177,21 +213,61 @@ class Balance:
                 [
                     self.acting[i],
                     slopes[i],
-                    self.less(self.rate(momenta[i])),
+                    self.less(self.rate(pushes[i])),
                     self.less(self.products((row.jacobian[i], ONE, row.bias) for row in rows)),
                     *(self.less(row.slant[i]) for row in rows if row.slant),
                 ]
             )
             for i in reversed(range(n))
         }
-        energies = [graph.product([row.inertia, row.rate, row.rate]) for row in rows]
+        lagrangian = graph.total([L, *kinetic])
+        rules, A, right, speeds = self.held()
+        momenta = [
+            graph.total([p, *(graph.product([row.jacobian[i], self.push(row)]) for row in rows)])
+            for i, p in enumerate(pushes)
+        ]
         return Balanced(
             graph,
             [[lower[max(i, j), min(i, j)] for j in range(n)] for i in range(n)],
             [force[i] for i in range(n)],
-            *self.held(),
-            graph.total([L, *energies]),
+            A,
+            right,
+            rules,
+            speeds,
+            self.acting,
+            lagrangian,
+            momenta,
+            self.energy(rows, left, pushes),
+            self.power(lagrangian, A, speeds),
         )
+
+    def push(self, row: Row) -> Value:
+        """I w, the momentum of a component."""
+        return self.graph.product([row.inertia, row.rate])
+
+    def energy(self, rows: Iterable[Row], left: Value, pushes: Column) -> Value:
+        """Jacobi's integral: of each square ½ I w² it is I w (J·q̇ − w/2), of a rest p·q̇ less it."""
+        graph = self.graph
+        terms = [self.less(left), self.along(pushes)]
+        for row in rows:
+            push = self.push(row)
+            terms.append(graph.product([push, self.along(row.jacobian)]))
+            terms.append(self.less(graph.product([HALF, push, row.rate])))
+        return graph.total(terms)
+
+    def along(self, column: Column) -> Value:
+        """The product of a column with q̇."""
+        return self.graph.total(map(self.graph.product, zip(column, self.velocities, strict=True)))
+
+    def power(self, lagrangian: Value, A: Sequence[Column], speeds: Column) -> Value:
+        """What the energy changes by: the work of forces, of moved constraints, and of L itself."""
+        graph = self.graph
+        moved = [
+            graph.product([graph.expression(x), graph.difference(self.along(row), speed)])
+            for x, row, speed in zip(self.system.multipliers, A, speeds, strict=True)
+        ]
+        by_time = graph.derivative(lagrangian, Direction({self.system.names.t: ONE}))
+        return graph.total([self.along(self.acting), *moved, self.less(by_time)])
 
     @cached_property
     def acting(self) -> list[Value]:
@@ -204,16 +280,15 @@ class Balance:
             for Q, F in zip(self.system.forces, lost, strict=True)
         ]
 
-    def held(self) -> tuple[list[list[Value]], list[Value], list[Value]]:
-        """A and c of A q̈ = c, and A q̇ + b: the constraints, derived by time until they are so."""
+    def held(self) -> tuple[list[Value], list[list[Value]], list[Value], list[Value]]:
+        """The constraints, A and c of A q̈ = c, A q̇ + b: derived by time until they are so."""
+        rules = list(map(self.graph.expression, self.system.rules))
         speeds = [
             self.rate(value) if of_places else value
-            for value, of_places in zip(
-                map(self.graph.expression, self.system.rules), self.system.holonomic, strict=True
-            )
+            for value, of_places in zip(rules, self.system.holonomic, strict=True)
         ]
         rows = [self.slopes(value, self.along_velocities) for value in speeds]
-        return rows, [self.less(self.rate(value)) for value in speeds], speeds
+        return rules, rows, [self.less(self.rate(value)) for value in speeds], speeds
 
     # --- squares ---------------------------------------------------------------------------------
 

@@ -86,10 +86,10 @@ def _on_graph(system: Computed, way: Callable[[Balance], Balanced]) -> Any:
     """q̈ by d'Alembert's principle, or by Lagrange."""
     names = system.names
     made = somewhere(
-        (names.t, *names.q, *names.v, *system.given),
+        (names.t, *names.q, *names.v, *system.multipliers, *system.given),
         lambda graph: way(Balance(system, graph)),
     )
-    program = straight_line(*made.solved(), system.free())
+    program = straight_line(made.graph, made.solution, system.free())
     return system.numeric.made(program.results, "other", program.shared)
 
 

@@ -6,13 +6,14 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy
 from sympy import Expr, Integer, Matrix, Rational, Symbol
 
 from rigidtop.codegen.graph import somewhere
 from rigidtop.codegen.lines import StraightLine, straight_line
+from rigidtop.codegen.nodes import ZERO, Value
 from rigidtop.codegen.points import points
 from rigidtop.codegen.solve import SingularError, solved
 from rigidtop.errors import RigidtopError
@@ -37,8 +38,13 @@ from rigidtop.system.names import (
 )
 from rigidtop.system.parts import Part, kinetic_energy
 
-SMALL = 600
+SMALL = 750
 """Nodes of a graph up to which normal forms are tried, to see whether they are shorter."""
+
+NEGLIGIBLE = 1e-40
+"""What a value that might vanish is at most, at a point where letters have no relation."""
+
+Quantity = TypeVar("Quantity")
 
 NORMAL = (grouped, lambda value, _: short(value))
 """Forms of the entries of M and f."""
@@ -187,7 +193,7 @@ class Derived:
     @cached_property
     def multipliers(self) -> tuple[Symbol, ...]:
         """λ of each constraint; its force on the coordinate qᵢ is λ ∂(constraint rate)/∂q̇ᵢ."""
-        taken = {*self.parameters, *self.names.q, *self.names.v}
+        taken = {*self._letters, *self.names.q, *self.names.v}
         return multipliers(len(self.constraints), taken)
 
     @cached_property
@@ -207,22 +213,24 @@ class Derived:
         Raises RigidtopError where the mass matrix is singular for every motion.
         """
         try:
-            programs = [straight_line(*self._on_graph.solved(), self.free())]
-            if len(self._on_graph.graph.nodes) < SMALL:
+            programs = [self.lines(self.balanced.solution)]
+            if len(self.balanced.graph.nodes) < SMALL:
                 programs += map(self._by_normal_form, NORMAL)
         except SingularError:
-            raise RigidtopError(self._why_singular(self._balance[0])) from None
+            raise RigidtopError(self.balanced.why_singular(self.qdot)) from None
         return min(programs, key=lambda each: each.operations) if programs[1:] else programs[0]
 
     @cached_property
-    def _on_graph(self) -> Balanced:
-        """M and f on a graph, of which no expression is ever written down."""
-
+    def balanced(self) -> Balanced:
+        """M, f and what is conserved on a graph, of which no expression is ever written down."""
         names = self.names
-        return somewhere(
-            (names.t, *names.q, *names.v, *self.given),
+        made = somewhere(
+            (names.t, *names.q, *names.v, *self.multipliers, *self.given),
             lambda graph: Balance(self, graph).of_parts(),
         )
+        with suppress(SingularError):
+            made.solution  # noqa: B018 - first of all, so that it depends on nothing that is asked
+        return made
 
     def _by_normal_form(self, form: Callable[[Expr, Sequence[Symbol]], Expr]) -> StraightLine:
         """The program that M and f have in a normal form."""
@@ -236,6 +244,10 @@ class Derived:
         """Names for the lines of a program."""
         taken = {x.name for x in self._letters} | {x.name for x in self.multipliers}
         return (x for x in sympy.numbered_symbols("x") if x.name not in taken)
+
+    def lines(self, values: Sequence[Value]) -> StraightLine:
+        """Values of `balanced` as a program."""
+        return straight_line(self.balanced.graph, values, self.free())
 
     def with_constraints(self, mass: Matrix, force: list[Expr]) -> tuple[Matrix, list[Expr]]:
         """With a row for each constraint, derived by time until it has accelerations."""
@@ -256,18 +268,6 @@ class Derived:
         ]
         # With −λ as unknowns the matrix is symmetric.
         return Matrix([[mass, A.T], [A, sympy.zeros(k, k)]]), [*force, *held]
-
-    def _why_singular(self, mass: Matrix) -> str:
-        for v, column in zip(self.qdot, range(mass.cols), strict=True):
-            if mass[:, column].is_zero_matrix:
-                return f"the mass matrix is singular: L is not quadratic in {v}"
-        with suppress(SingularError):
-            solved(mass, self._balance[1], sympy.numbered_symbols("x"))
-            return "the constraints depend on one another: leave one out"
-        return (
-            "the mass matrix is singular: some combination of the velocities does not enter L, "
-            "or enters it only linearly"
-        )
 
     @cached_property
     def one_sided(self) -> tuple[tuple[int, int], ...]:
@@ -307,7 +307,7 @@ class Derived:
         if self.parts:  # of which not all enters L
             acting = (self.names.plain(self.rest), *self.generalised_forces, *self.rules)
             moving |= {*self._letters}.difference(
-                *(x.free_symbols for x in (*self._on_graph.leaves, *acting))
+                *(x.free_symbols for x in (*self.balanced.leaves, *acting))
             )
         return tuple(x for x in self._letters if x not in moving)
 
@@ -376,14 +376,26 @@ class Derived:
 
         The momentum of each is conserved.
         """
-        A = self.rolling
-        return tuple(
-            self.q[k]
-            for k, x in enumerate(self.names.q)
-            if decide.vanishes(self.plain.diff(x))
-            and decide.vanishes(self.generalised_forces[k])
-            and all(A[i, k] == 0 for i in range(A.rows))
+        return tuple(x for k, x in enumerate(self.q) if self._is_cyclic(k))
+
+    def _is_cyclic(self, k: int) -> bool:
+        sides, x = self.balanced, self.names.q[k]
+        return (
+            all(A[k] == ZERO for A in sides.constraints)
+            and self._vanishes(sides.acting[k], lambda: self.generalised_forces[k])
+            and self._vanishes(sides.by_place(x), lambda: self.plain.diff(x))
         )
+
+    def _vanishes(self, value: Value, written: Callable[[], Expr]) -> bool:
+        """Whether a value of `balanced` is zero whatever its letters are.
+
+        The graph sees it of what is analytic; of what else is zero at its point SymPy has to show
+        it, `written` as an expression.
+        """
+        if value == ZERO:
+            return True
+        near = abs(self.balanced.graph.number(value)) < NEGLIGIBLE
+        return near and decide.vanishes(written())
 
     @cached_property
     def power(self) -> Expr:
@@ -403,7 +415,7 @@ class Derived:
     @cached_property
     def is_conservative(self) -> bool:
         """Whether the energy is conserved: L does not contain the time, and forces do no work."""
-        return decide.vanishes(self.work_rate)
+        return self._vanishes(self.balanced.power, lambda: self.work_rate)
 
     @cached_property
     def conserved(self) -> dict[str, Expr]:
@@ -416,10 +428,16 @@ class Derived:
     @cached_property
     def constant(self) -> dict[str, Expr]:
         """What is conserved, plain."""
-        constant = {"energy": self.jacobi} if self.is_conservative else {}
-        for x, p, name in zip(self.q, self.conjugate, self.names.p, strict=True):
-            if x in self.cyclic:
-                constant[name.name] = p
+        return self.of_constants(lambda: self.jacobi, lambda: self.conjugate)
+
+    def of_constants(
+        self, energy: Callable[[], Quantity], momenta: Callable[[], Sequence[Quantity]]
+    ) -> dict[str, Quantity]:
+        """Of the energy and the momenta those that are conserved, by their names."""
+        constant = {"energy": energy()} if self.is_conservative else {}
+        if self.cyclic:
+            named = zip(self.q, momenta(), self.names.p, strict=True)
+            constant |= {name.name: p for x, p, name in named if x in self.cyclic}
         return constant
 
     def rate(self, quantity: Expr) -> Expr:

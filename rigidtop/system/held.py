@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rigidtop.codegen.numpy import Function
 from rigidtop.motion.attitude import Floats
 
 if TYPE_CHECKING:
@@ -29,28 +27,18 @@ class Surface:
     system: Computed
     parameters: tuple[float, ...]
 
-    @cached_property
-    def _sides(self) -> Function:
-        """M, A with b behind it, and the constraints of coordinates."""
-        system = self.system
-        mass = system.names.plain(system.mass_matrix)
-        places = [x for x, of in zip(system.rules, system.holonomic, strict=True) if of]
-        return system.numeric.of((*mass, *system.rolling, *places))
-
     def onto(self, times: Floats, states: Floats) -> Floats:
         """The nearest states (x, N) of q, q̇ and what follows them; itself where there is none."""
         n, made = len(self.system.q), states.copy()
         chosen = np.array(self.system.holonomic, dtype=bool)
+        surface = self.system.numeric.surface
+        ends = np.cumsum([n * n, len(chosen) * n, len(chosen)])
         for last in (*[False] * STEPS, True):
             with np.errstate(all="ignore"):
-                found = self._sides.array(times, *made[: 2 * n], *self.parameters)
-            mass = found[: n * n].T.reshape(-1, n, n)
-            rolling = found[n * n :][: len(chosen) * (n + 1)].T.reshape(-1, len(chosen), n + 1)
-            A, left = rolling[..., :n], found[n * n + len(chosen) * (n + 1) :].T
-            if last:
-                left = np.einsum("tkn,nt->tk", A, made[n : 2 * n]) + rolling[..., n]
-            else:
-                A = A[:, chosen]
+                found = surface.array(times, *made[: 2 * n], *self.parameters)
+            mass, A, speeds, places = np.split(found, ends)
+            mass, A = mass.T.reshape(-1, n, n), A.T.reshape(-1, len(chosen), n)
+            A, left = (A, speeds.T) if last else (A[:, chosen], places.T)
             k = A.shape[1]
             border = np.zeros((len(times), n + k, n + k))
             border[:, :n, :n], border[:, n:, :n] = mass, A

@@ -14,6 +14,7 @@ import sympy
 from numpy.typing import ArrayLike, NDArray
 from sympy import Expr, Symbol
 
+from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
@@ -23,7 +24,7 @@ from rigidtop.parameters import in_one_line
 from rigidtop.system.events import Watched, Zeros, joined_zeros, zeros
 from rigidtop.system.held import Surface
 from rigidtop.system.names import Given, expression, numbers
-from rigidtop.system.numeric import Computed, computed, magnitude
+from rigidtop.system.numeric import BALANCE, Computed, computed
 from rigidtop.system.start import row, sizes, with_units
 
 if TYPE_CHECKING:
@@ -83,22 +84,27 @@ class SystemMotion:
 
     def check(self) -> None:
         """Raises RigidtopError where the motion can't start so."""
-        system, names = self.system, self.system.names
-        row = [0.0, *self.q, *self.qdot, *self.parameters]
-        for rule, of_places in zip(system.rules, system.holonomic, strict=True):
-            rates = [rule]
-            if of_places:
-                motion = dict(zip(names.q, names.v, strict=True))
-                rates.append(
-                    sympy.Add(*(rule.diff(x) * v for x, v in motion.items()), rule.diff(names.t))
-                )
-            for k, each in enumerate(rates):
-                value, size = self.system.numeric.sized(each)(*row)
-                if abs(value) > HOLDS * max(size, 1e-300):
-                    said = f"the {'rate of the ' if k else ''}constraint {names.back(rule)} = 0"
-                    raise RigidtopError(f"{said} does not hold at the start: it is {value:.6g}")
+        if self.system.constraints:
+            self._check_rules()
         self._keeps_signs(np.array(self.q)[:, None])
         self._rates_at([*self.q, *self.qdot, *([0.0] * self._more)])
+
+    def _check_rules(self) -> None:
+        """Raises RigidtopError where a constraint, or its rate, does not hold at the start."""
+        found = self._at_start(self.system.numeric.holding, "a constraint")
+        names = [f"constraint {rule} = 0" for rule in self.system.constraints]
+        names += [f"rate of the {name}" for name in names]
+        for name, value, size in zip(names, found[::2], found[1::2], strict=True):
+            if abs(value) > HOLDS * max(size, 1e-300):
+                raise RigidtopError(f"the {name} does not hold at the start: it is {value:.6g}")
+
+    def _at_start(self, function: Function, what: str) -> tuple[float, ...]:
+        """The values of a function at the start; one that has none is told in one line."""
+        row = (0.0, *self.q, *self.qdot, *self.parameters)
+        found, why = computed(lambda row: function.scalar(*row), row)
+        if why:
+            raise RigidtopError(f"{what} can't be computed at the start: {why}")
+        return found
 
     @property
     def _more(self) -> int:
@@ -408,20 +414,23 @@ class SystemTrajectory(Rows):
         return self.motion.system
 
     def _arrays(self, expressions: Sequence[Expr]) -> Floats:
-        function = self._system.numeric.of(tuple(expressions))
+        return self._along(self._system.numeric.of(tuple(expressions)))
+
+    def _along(self, function: Function) -> Floats:
+        """A function of numbers along the motion, shape (results, N)."""
         with np.errstate(all="ignore"):
             return function.array(self.t, *self.q.T, *self.qdot.T, *self.motion.parameters)
 
     @cached_property
     def energy(self) -> Floats:
         """Jacobi's integral, shape (N,), in J."""
-        made: Floats = self._arrays((self._system.jacobi,))[0]
+        made: Floats = self._along(self._system.numeric.energy)[0]
         return made
 
     @cached_property
     def momenta(self) -> Floats:
         """p = ∂L/∂q̇, shape (N, n)."""
-        return self._arrays(self._system.conjugate).T
+        return self._along(self._system.numeric.momenta).T
 
     @cached_property
     def accelerations(self) -> Floats:
@@ -435,10 +444,7 @@ class SystemTrajectory(Rows):
 
     @cached_property
     def _solved(self) -> Floats:
-        with np.errstate(all="ignore"):
-            return self._system.numeric.solved.array(
-                self.t, *self.q.T, *self.qdot.T, *self.motion.parameters
-            ).T
+        return self._along(self._system.numeric.solved).T
 
     def drift(self) -> dict[str, float]:
         """By how much what is conserved strays from its value at t = 0, at most; constraints too.
@@ -446,24 +452,18 @@ class SystemTrajectory(Rows):
         Each is relative to the largest sum of the magnitudes of its terms along the motion.  Where
         the energy is not conserved, "energy balance" is what energy and work fail to add up to.
         """
-        numeric, start = self._system.numeric, self.motion
-        first = (0.0, *start.q, *start.qdot, *start.parameters)
+        numeric = self._system.numeric
+        along = self._along(numeric.watch)
+        first = self.motion._at_start(numeric.watch, "what is conserved")
         drifts = {}
-        for name, value in self._system.constant.items():
-            made, sizes = self._sized(value)
-            initial, size = numeric.sized(value)(*first)
-            drifts[name] = _relative(made - initial, sizes, size)
-        if "energy" not in drifts:
-            made, sizes = self._sized(self._system.jacobi)
-            initial, size = numeric.sized(self._system.jacobi)(*first)
-            drifts["energy balance"] = _relative(made - initial - self.work, sizes, size)
-        for k, rule in enumerate(self._system.rules):
-            drifts[f"constraint {k + 1}"] = _relative(*self._sized(rule), 0.0)
+        for k, name in enumerate(numeric.watched):
+            change, size = along[2 * k] - first[2 * k], first[2 * k + 1]
+            if name == BALANCE:
+                change = change - self.work
+            if name.startswith("constraint"):
+                change, size = along[2 * k], 0.0
+            drifts[name] = _relative(change, along[2 * k + 1], size)
         return drifts
-
-    def _sized(self, value: Expr) -> tuple[Floats, Floats]:
-        made = self._arrays((value, magnitude(value)))
-        return made[0], made[1]
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import builtins
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from functools import cached_property
@@ -17,12 +17,18 @@ from sympy import Expr, Symbol
 
 from rigidtop.codegen import numpy as plain
 from rigidtop.codegen.heyoka import on_symbols
+from rigidtop.codegen.lines import StraightLine, straight_line
+from rigidtop.codegen.nodes import Value
 from rigidtop.codegen.numpy import Function
+from rigidtop.codegen.sizes import with_sizes
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import taylor
 from rigidtop.motion.integrate import TAYLOR
 from rigidtop.system.canonical import Canonical
 from rigidtop.system.names import own_functions
+
+BALANCE = "energy balance"
+"""What energy and work fail to add up to."""
 
 MEANT = {*kwlist, *dir(builtins), *dir(math), *dir(np)}
 """Names that mean something else in the functions that are made."""
@@ -79,8 +85,8 @@ class Numeric:
     def timed(self) -> bool:
         """Whether the equations contain the time."""
         system = self.system
-        values = [value for _, value in system.program.shared]
-        values += [*system.program.results, system.work_rate if self.works else sympy.S.Zero]
+        programs = [system.program, *([self._power] if self.works else [])]
+        values = (x for each in programs for x in (*(y for _, y in each.shared), *each.results))
         return any(x.has(system.names.t) for x in values)
 
     @cached_property
@@ -91,13 +97,71 @@ class Numeric:
     @cached_property
     def rates(self) -> Function:
         """q̇, q̈, and the power where it is followed."""
-        n = len(self.system.names.q)
-        results = self.system.program.results
-        more: tuple[Expr, ...] = ()
-        if self.works:
-            forces = dict(zip(self.system.multipliers, (-x for x in results[n:]), strict=True))
-            more = (self.system.work_rate.xreplace(forces),)
-        return self._function((*self.system.names.v, *results[:n], *more), "rates")
+        n, program = len(self.system.names.q), self.system.program
+        results = (*self.system.names.v, *program.results[:n])
+        if not self.works:
+            return self._function(results, "rates")
+        forces = {x: -y for x, y in zip(self.system.multipliers, program.results[n:], strict=True)}
+        shared = [(name, value.xreplace(forces)) for name, value in self._power.shared]
+        power = [value.xreplace(forces) for value in self._power.results]
+        return self.made((*results, *power), "rates", [*program.shared, *shared])
+
+    @cached_property
+    def _power(self) -> StraightLine:
+        """The power, with the multipliers as letters; its lines are none of `Derived.program`."""
+        system = self.system
+        taken = {x for x, _ in system.program.shared}
+        free = (x for x in system.free() if x not in taken)
+        return straight_line(system.balanced.graph, [system.balanced.power], free)
+
+    @cached_property
+    def energy(self) -> Function:
+        """Jacobi's integral."""
+        return self.on_graph([self.system.balanced.energy], "energy")
+
+    @cached_property
+    def momenta(self) -> Function:
+        """p."""
+        return self.on_graph(self.system.balanced.momenta, "momenta")
+
+    @cached_property
+    def watched(self) -> dict[str, Value]:
+        """What tells how well a motion is computed, by name, on the graph.
+
+        It is what is conserved, else the energy, which the work balances; and the constraints.
+        """
+        sides = self.system.balanced
+        constant = self.system.of_constants(lambda: sides.energy, lambda: sides.momenta)
+        balance = {} if "energy" in constant else {BALANCE: sides.energy}
+        return constant | balance | {f"constraint {k}": x for k, x in enumerate(sides.rules, 1)}
+
+    @cached_property
+    def watch(self) -> Function:
+        """Of each of the `watched` the value, and behind it the size of its terms."""
+        return self.on_graph(self.with_sizes(self.watched.values()), "watch")
+
+    @cached_property
+    def holding(self) -> Function:
+        """Of the constraints, then of their rates, the values, each with the size of its terms."""
+        sides = self.system.balanced
+        return self.on_graph(self.with_sizes([*sides.rules, *sides.speeds]), "holding")
+
+    @cached_property
+    def surface(self) -> Function:
+        """M, A, A q̇ + b, and the constraints of coordinates alone."""
+        sides = self.system.balanced
+        places = [x for x, of in zip(sides.rules, self.system.holonomic, strict=True) if of]
+        rows = [x for row in (*sides.mass, *sides.constraints) for x in row]
+        return self.on_graph([*rows, *sides.speeds, *places], "surface")
+
+    def with_sizes(self, values: Iterable[Value]) -> list[Value]:
+        """Values on the system's graph, each with the sum of the magnitudes of its terms."""
+        return with_sizes(self.system.balanced.graph, values)
+
+    def on_graph(self, values: Sequence[Value], name: str) -> Function:
+        """Values on the system's graph as a function of numbers."""
+        program = self.system.lines(values)
+        return self.made(program.results, name, program.shared)
 
     @cached_property
     def _free(self) -> dict[tuple[str, float, int], list[Any]]:
@@ -233,32 +297,6 @@ class Numeric:
             there = ", ".join(map(self.system.names.spelled, self.arguments))
             raise RigidtopError(f"no number for {names}: the system has {there}")
         return self.made(expressions, "quantity")
-
-    def sized(self, value: Expr) -> Callable[..., tuple[float, float]]:
-        """A quantity, and the sum of the magnitudes of its terms."""
-        made = self.of((value, magnitude(value)))
-
-        def at(*row: float) -> tuple[float, float]:
-            (found, size), why = computed(lambda row: made.scalar(*row), row)
-            if why:
-                raise RigidtopError(f"{value} can't be computed at the start: {why}")
-            return float(found), float(size)
-
-        return at
-
-
-def magnitude(value: Expr) -> Expr:
-    """The sum of the magnitudes of the terms, of which rounding is a small part; as it stands.
-
-    >>> x, y = sympy.symbols("x y")
-    >>> magnitude((x - y)**2 * sympy.cos(x - y))
-    (Abs(x) + Abs(y))**2*Abs(cos(x - y))
-    """
-    if value.is_Add or value.is_Mul:
-        return value.func(*map(magnitude, value.args))
-    if value.is_Pow and value.exp.is_Integer and value.exp > 0:
-        return magnitude(value.base) ** value.exp
-    return sympy.Abs(value, evaluate=False) if value.args else sympy.Abs(value)
 
 
 def computed(

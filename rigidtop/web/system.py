@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from math import pi
 from typing import Any
 
@@ -12,11 +13,13 @@ from sympy import Expr, MatrixBase, Symbol
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from rigidtop.codegen.javascript import of_arrays
+from rigidtop.codegen.lines import StraightLine
+from rigidtop.codegen.nodes import Value
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
 from rigidtop.proof.equation import Equation
 from rigidtop.system.motion import SystemMotion
-from rigidtop.system.numeric import Computed, magnitude
+from rigidtop.system.numeric import BALANCE, Computed
 from rigidtop.system.parts import Body, Mass
 from rigidtop.typeset.mathml import display, mathml
 from rigidtop.typeset.text import text
@@ -69,20 +72,21 @@ class Scene:
     def state(self) -> tuple[Symbol, ...]:
         """q, q̇, and the time where the equations or the places have it."""
         system = self.system
-        timed = system.numeric.timed or any(x.has(system.names.t) for x in self.measured)
+        measured = (*(x for _, x in self.measured.shared), *self.measured.results)
+        timed = system.numeric.timed or any(x.has(system.names.t) for x in (*measured, *self.seen))
         return (*system.names.q, *system.names.v, *([system.names.t] if timed else []))
 
     @property
-    def kept(self) -> Mapping[str, Expr]:
+    def kept(self) -> Mapping[str, Value]:
         """What stays as it was, by its name; of a constraint zero."""
-        rules = {f"constraint {k}": rule for k, rule in enumerate(self.system.rules, 1)}
-        return {**self.system.constant, **rules}
+        watched = self.system.numeric.watched
+        return {name: value for name, value in watched.items() if name != BALANCE}
 
-    @property
-    def measured(self) -> tuple[Expr, ...]:
+    @cached_property
+    def measured(self) -> StraightLine:
         """Jacobi's integral, and of what is kept the value and the size of its terms."""
-        pairs = ((value, magnitude(value)) for value in self.kept.values())
-        return (self.system.jacobi, *(x for pair in pairs for x in pair), *self.seen)
+        kept = self.system.numeric.with_sizes(self.kept.values())
+        return self.system.lines([self.system.balanced.energy, *kept])
 
     def module(self) -> str:
         """The page's own module: rates, points and quantities of a state and of parameters.
@@ -94,23 +98,21 @@ class Scene:
         count = len(system.q)
         clock = (sympy.Integer(1),) * (len(self.state) - 2 * count)
         moved = (*system.names.v, *system.program.results[:count], *clock)
-        measured = self.measured[: len(self.measured) - len(self.seen)]
+        kept = "E, and constants with their sizes."
         try:
             return "\n\n".join(
                 (
-                    of_arrays("rates", "What the state changes by.", takes, moved, self._program),
+                    of_arrays(
+                        "rates", "What the state changes by.", takes, moved, system.program.shared
+                    ),
                     of_arrays("points", "Where points are, then attitudes.", takes, self.seen),
-                    of_arrays("measures", "E, and constants with their sizes.", takes, measured),
+                    of_arrays("measures", kept, takes, self.measured.results, self.measured.shared),
                 )
             )
         except (NotImplementedError, ValueError) as error:
             what = re.search(r">: (?:<class '[\w.]*\.)?(\w+)|words for (\S+)", str(error))
             which = (what[1] or what[2]) if what else "a part of it"
             raise RigidtopError(f"there is no {which} in JavaScript, which a page needs") from None
-
-    @property
-    def _program(self) -> Sequence[tuple[Symbol, Expr]]:
-        return self.system.program.shared
 
     def angle(self, x: Symbol) -> bool:
         """Whether a coordinate stands in sines and cosines alone."""

@@ -6,6 +6,7 @@ nothing is in SymPy's caches; its import is not counted.
 
 from __future__ import annotations
 
+import runpy
 import subprocess
 import sys
 import warnings
@@ -27,6 +28,7 @@ from rigidtop.system.system import System
 from rigidtop.theory import top
 
 m, length, g = sympy.symbols("m length g", positive=True)
+BICYCLE = Path(__file__).parent.parent / "systems/test_bicycle.py"
 PARAMETERS = {m: 1.0, length: 1.0, g: 9.81}
 
 
@@ -61,6 +63,12 @@ def arm() -> System:
     return System.of_parts(parts, angles, gravity=[0, 0, -g])
 
 
+def bicycle() -> System:
+    """Whipple's: 8 coordinates with 5 constraints, as its test has it."""
+    made: System = runpy.run_path(str(BICYCLE))["bicycle"]()
+    return made
+
+
 def in_euler_angles(L: sympy.Expr) -> System:
     """A body about a pivot, by a Lagrangian of the theory."""
     angles = dynamicsymbols("theta phi psi")
@@ -82,6 +90,7 @@ LONG = {
     "12 pendulums in a row": "pendulums(12)",
     "20 pendulums in a row": "pendulums(20)",
     "an arm of 6 joints": "arm()",
+    "Whipple's bicycle": "bicycle()",
 }
 """Systems of which SymPy has no right-hand side in a reasonable time."""
 

@@ -116,3 +116,21 @@ def test_it_stays_upright_by_itself_at_5_m_s_and_not_at_1(whipple):
     printed = [-14.078389692798216, weave.conjugate(), weave, -0.322866429004087]
     assert found == pytest.approx(printed, rel=1e-11)
     assert max(s.real for s in rates(whipple, Rational(1))) > 3
+
+
+def test_a_push_dies_away_as_the_rates_say(whipple):
+    """With all that is not linear: a rate of lean of 0.01/s from straight on, at 5 m/s."""
+    speed = 5.0
+    start = {
+        x.diff(): speed,
+        theta_R.diff(): -speed / 0.3,
+        theta_F.diff(): -speed / 0.35,
+        phi.diff(): 0.01,
+    }
+    motion = whipple.motion(PARAMETERS, q=dict.fromkeys(whipple.q, 0), qdot=start)
+    run = motion.integrate(np.linspace(0, 10, 101))
+    lean, steer = (np.abs(run.q[:, list(whipple.q).index(each)]) for each in (phi, delta))
+    assert 1e-4 < np.max(lean) < 0.01
+    assert lean[-1] < np.exp(-0.2 * 10) * np.max(lean)
+    assert steer[-1] < np.exp(-0.2 * 10) * np.max(steer)
+    assert np.max(np.abs(run.drift()["energy"])) < 1e-9

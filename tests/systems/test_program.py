@@ -232,3 +232,37 @@ def test_decimals_and_fractions_go_together():
     mixed = rt.System(u**2 / 3 + 0.25 * u**2 * x**2 + Rational(2, 9) * x**2, [x], [u])
     [force] = mixed.numeric.solved.scalar(0.0, 2.0, 1.0)
     assert force == pytest.approx((4 / 9 * 2 - 0.5 * 2) / (2 / 3 + 0.5 * 4), rel=1e-15)
+
+
+def test_a_motion_waits_for_no_lagrangian():
+    """Energy, momenta and drift are known without it, with forces and constraints too."""
+    t = dynamicsymbols._t
+    b, parts, q = dynamicsymbols("b"), chain(8).parts, chain(8).q
+    turning = rt.Body(1, [1, 2, 3], [0, 0, 0], sympy.rot_axis3(b))
+    free = rt.System.of_parts([*parts, turning], [*q, b], gravity=[0, -g])
+    pushed = rt.System.of_parts(
+        parts, q, gravity=[0, -g], forces={q[0]: sin(t)}, constraints=q[0] - q[1] / 2 - t / 5
+    )
+    numbers, kept = {m: 2, length: 0.5, g: 9.81}, []
+    for system in (free, pushed):
+        rates = np.linspace(0.2, 0.0, len(system.q))
+        start = np.linspace(1.0, 2.0, len(system.q))
+        rates[:2], start[:2] = (0.0, -0.4), (0.5, 1.0)
+        run = system.motion(numbers, start, rates).integrate([0.0, 0.2, 0.4])
+        kept.append([*run.drift()])
+        assert max(run.drift().values()) < 1e-9
+        assert "L" not in vars(system)
+        assert run.energy == pytest.approx(run.value(system.energy))
+        assert run.momenta[:, 1] == pytest.approx(run.value(system.momenta[1]))
+    assert kept == [["energy", "p_b"], ["energy balance", "constraint 1"]]
+
+
+def test_what_is_not_analytic_is_asked_of_sympy():
+    """Of a root the graph doesn't know that its square is what it is the root of."""
+    root = sympy.sqrt(x**2 + 1)
+    none = (root + 1) * (root - 1) - x**2
+    system = rt.System((u**2 + v**2) / 2 + none + y**2 * root, [x, y], [u, v])
+    assert system.cyclic == ()
+    system = rt.System((u**2 + v**2) / 2 + none + y**2, [x, y], [u, v])
+    assert system.cyclic == (x,)
+    assert system.is_conservative
