@@ -48,7 +48,7 @@ class StraightLine:
 def straight_line(graph: Graph, values: Sequence[Value], names: Iterator[Symbol]) -> StraightLine:
     """The values as a program: what is used twice has a line; `names` are free letters."""
     nodes = {k: graph.nodes[k] for k in graph.below(values)}
-    _with_numbers(nodes)
+    _with_numbers(nodes, values)
     for kind in (Sum, Product):
         _pair(nodes, kind)
     order = _in_order(nodes, [k for _, k in values])
@@ -80,9 +80,10 @@ def _in_order(nodes: Mapping[int, Node], wanted: Sequence[int]) -> list[int]:
     return list(made)
 
 
-def _with_numbers(nodes: dict[int, Node]) -> None:
+def _with_numbers(nodes: dict[int, Node], values: Sequence[Value]) -> None:
     """Numbers before the terms of sums become factors, which several may have in common."""
     uses = Counter(j for node in nodes.values() for j in parts(node))
+    uses.update(k for _, k in values)  # one that is wanted itself stays as it is
     own: dict[Any, int] = {}
     free = count(max(nodes) + 1)
 

@@ -227,6 +227,15 @@ def test_a_tensor_that_is_tilted_in_the_body_is_that_of_turned_principal_axes():
     assert by_tensor.certify({})["Newton–Euler"] < 1e-12
 
 
+def test_a_result_that_is_a_term_of_another_stays_what_it_is():
+    """Its number went into the first where that was a product used in one sum alone."""
+    a, f, h = symbols("a f h")
+    matrix = Matrix([[a, -Rational(1, 5)], [-Rational(1, 5), 1]])
+    found = solved(matrix, [f, h], sympy.numbered_symbols("t")).written_out()
+    wanted = matrix.LUsolve(Matrix([f, h]))
+    assert [sympy.simplify(x - y) for x, y in zip(found, wanted, strict=True)] == [0, 0]
+
+
 def test_decimals_and_fractions_go_together():
     """Python's fractions know nothing of SymPy's decimals."""
     mixed = rt.System(u**2 / 3 + 0.25 * u**2 * x**2 + Rational(2, 9) * x**2, [x], [u])
