@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from rigidtop.motion.top import HeavyTop
     from rigidtop.motion.top_fit import TopFit
     from rigidtop.motion.trajectory import Trajectory
+    from rigidtop.system.linkage import Joint, Link
+    from rigidtop.system.mechanism import Mechanism
     from rigidtop.system.motion import SystemMotion, SystemSection, SystemTrajectory
     from rigidtop.system.parts import Body, Mass
     from rigidtop.system.system import System
@@ -34,7 +36,10 @@ __all__ = [
     "FreeMotions",
     "HeavyBody",
     "HeavyTop",
+    "Joint",
+    "Link",
     "Mass",
+    "Mechanism",
     "Motion",
     "NoSteadyPrecession",
     "RigidtopError",
@@ -67,6 +72,8 @@ _ROOMS = {
     "motion.top": ("HeavyTop",),
     "motion.top_fit": ("TopFit",),
     "motion.trajectory": ("Trajectory",),
+    "system.linkage": ("Joint", "Link"),
+    "system.mechanism": ("Mechanism",),
     "system.motion": ("SystemMotion", "SystemSection", "SystemTrajectory"),
     "system.parts": ("Body", "Mass"),
     "system.system": ("System",),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any, NamedTuple
 
 from sympy import Expr
@@ -51,6 +52,7 @@ Node = Sum | Product | Power | Call | Leaf
 ZERO: Value = (0, 0)
 ONE: Value = (1, 0)
 MINUS: Value = (-1, 0)
+HALF: Value = (Fraction(1, 2), 0)
 
 
 def parts(node: Node) -> list[int]:

@@ -19,7 +19,7 @@ def with_sizes(graph: Graph, values: Iterable[Value]) -> list[Value]:
     >>> graph = Graph(next(points([x, y])))
     >>> value = graph.expression((x - y)**2 * sympy.cos(x - y))
     >>> straight_line(graph, with_sizes(graph, [value]), sympy.numbered_symbols("t")).results
-    (t0**2*cos(t0), (Abs(x) + Abs(y))**2*Abs(cos(t0)))
+    (t0**2*t1, (Abs(x) + Abs(y))**2*Abs(t1))
     """
     values = list(values)
     known: dict[int, Value] = {}

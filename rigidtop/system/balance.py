@@ -12,44 +12,18 @@ from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Protocol
 
+import sympy
 from sympy import Expr
 
 from rigidtop.codegen.graph import Direction, Graph
-from rigidtop.codegen.nodes import MINUS, ONE, ZERO, Leaf, Power, Product, Sum, Value
+from rigidtop.codegen.nodes import HALF, ONE, ZERO, Leaf, Power, Product, Sum, Value
 from rigidtop.codegen.nodes import parts as parts_of
 from rigidtop.codegen.solve import SingularError, ldl, solutions
-from rigidtop.system.names import Names
-from rigidtop.system.parts import Body, Part
-
-HALF: Value = (Fraction(1, 2), 0)
-
-Column = Sequence[Value]
-"""Values of a vector: its components, or one for each coordinate."""
-
-
-class Given(Protocol):
-    """What is known of a system before anything is derived, in its plain symbols inside."""
-
-    @property
-    def names(self) -> Names: ...
-    @property
-    def rest(self) -> Expr: ...
-    @property
-    def parts(self) -> tuple[Part, ...]: ...
-    @property
-    def forces(self) -> tuple[Expr, ...]: ...
-    @property
-    def rayleigh(self) -> Expr: ...
-    @property
-    def plain(self) -> Expr: ...
-    @property
-    def multipliers(self) -> tuple[Expr, ...]: ...
-    @property
-    def rules(self) -> tuple[Expr, ...]: ...
-    @property
-    def holonomic(self) -> tuple[bool, ...]: ...
+from rigidtop.system.directions import Column, Directions
+from rigidtop.system.linkage import Tree
+from rigidtop.system.parts import Body, Mass, Part
+from rigidtop.system.recursion import Recursion
 
 
 @dataclass(frozen=True)
@@ -123,44 +97,8 @@ class Balanced:
 
 
 @dataclass(frozen=True)
-class Balance:
-    """The graph of a system, and directions in it."""
-
-    system: Given
-    graph: Graph
-
-    @cached_property
-    def velocities(self) -> list[Value]:
-        """q̇."""
-        return [self.graph.expression(v) for v in self.system.names.v]
-
-    @cached_property
-    def motion(self) -> Direction:
-        """The direction in which a motion without accelerations goes."""
-        names = self.system.names
-        return Direction({**dict(zip(names.q, self.velocities, strict=True)), names.t: ONE})
-
-    @cached_property
-    def along_places(self) -> list[Direction]:
-        """∂/∂q."""
-        return [Direction({x: ONE}) for x in self.system.names.q]
-
-    @cached_property
-    def along_velocities(self) -> list[Direction]:
-        """∂/∂q̇."""
-        return [Direction({v: ONE}) for v in self.system.names.v]
-
-    def rate(self, value: Value) -> Value:
-        """d/dt, where q̈ = 0."""
-        return self.graph.derivative(value, self.motion)
-
-    def slopes(self, value: Value, directions: Sequence[Direction]) -> list[Value]:
-        """A derivative for each direction."""
-        return [self.graph.derivative(value, each) for each in directions]
-
-    def less(self, value: Value) -> Value:
-        """−x."""
-        return self.graph.product([MINUS, value])
+class Balance(Directions):
+    """The equations of a system on a graph."""
 
     def products(self, triples: Iterable[tuple[Value, Value, Value]]) -> Value:
         """Σ abc, by a, then by b: what is in all masses goes out."""
@@ -194,7 +132,8 @@ class Balance:
         """
         graph, n = self.graph, len(self.velocities)
         L = graph.expression(given)
-        rows = [row for part in parts for row in self.rows(part)]
+        shares = [Recursion(self, part).share() for part in parts if isinstance(part, Tree)]
+        rows = [row for part in parts if isinstance(part, (Mass, Body)) for row in self.rows(part)]
         kinetic = [graph.product([HALF, row.inertia, row.rate, row.rate]) for row in rows]
         squares, left = self.squares(L)
         rows += [self.square(inertia, rate) for inertia, rate in squares]
@@ -204,7 +143,8 @@ class Balance:
 
         def mass(i: int, j: int) -> Value:
             own = self.products((row.jacobian[i], row.jacobian[j], row.inertia) for row in rows)
-            return graph.total([own, graph.derivative(pushes[i], self.along_velocities[j])])
+            more = graph.derivative(pushes[i], self.along_velocities[j])
+            return graph.total([own, more, *(share.mass[i][j] for share in shares)])
 
         # From the last, which moves least: its sums are parts of those before.
         lower = {(i, j): mass(i, j) for i in reversed(range(n)) for j in range(i + 1)}
@@ -216,14 +156,21 @@ class Balance:
                     self.less(self.rate(pushes[i])),
                     self.less(self.products((row.jacobian[i], ONE, row.bias) for row in rows)),
                     *(self.less(row.slant[i]) for row in rows if row.slant),
+                    *(self.less(share.bias[i]) for share in shares),
                 ]
             )
             for i in reversed(range(n))
         }
-        lagrangian = graph.total([L, *kinetic])
+        lagrangian = graph.total([L, *kinetic, *(share.lagrangian for share in shares)])
         rules, A, right, speeds = self.held()
         momenta = [
-            graph.total([p, *(graph.product([row.jacobian[i], self.push(row)]) for row in rows)])
+            graph.total(
+                [
+                    p,
+                    *(graph.product([row.jacobian[i], self.push(row)]) for row in rows),
+                    *(share.momenta[i] for share in shares),
+                ]
+            )
             for i, p in enumerate(pushes)
         ]
         return Balanced(
@@ -237,7 +184,7 @@ class Balance:
             self.acting,
             lagrangian,
             momenta,
-            self.energy(rows, left, pushes),
+            graph.total([self.energy(rows, left, pushes), *(share.energy for share in shares)]),
             self.power(lagrangian, A, speeds),
         )
 
@@ -289,6 +236,17 @@ class Balance:
         ]
         rows = [self.slopes(value, self.along_velocities) for value in speeds]
         return rules, rows, [self.less(self.rate(value)) for value in speeds], speeds
+
+    def frames(self) -> Iterator[Value]:
+        """Of each mass and body the place (3), then the attitude row by row (9), in space."""
+        plain, value = self.system.names.plain, self.graph.expression
+        for part in self.system.parts:
+            if isinstance(part, Tree):
+                for place, rows in Recursion(self, part).frames():
+                    yield from (*place, *(x for row in rows for x in row))
+            elif isinstance(part, (Mass, Body)):
+                attitude = part.attitude if isinstance(part, Body) else sympy.eye(3)
+                yield from map(value, (*plain(part.place), *plain(attitude)))
 
     # --- squares ---------------------------------------------------------------------------------
 
@@ -351,7 +309,7 @@ class Balance:
 
     # --- masses and bodies ------------------------------------------------------------------------
 
-    def rows(self, part: Part) -> Iterator[Row]:
+    def rows(self, part: Mass | Body) -> Iterator[Row]:
         """Of the centre of mass, and of the turning about it."""
         graph, names = self.graph, self.system.names
         mass = graph.expression(names.plain(part.mass))
@@ -398,29 +356,4 @@ class Balance:
             made.append(Row(jacobian, rate, inertia, biases[k]))
             for i in range(k + 1, 3):
                 biases[i] = graph.difference(biases[i], graph.product([lower[i][k], biases[k]]))
-        return made
-
-    def gyration(
-        self, tensor: Sequence[Column], omega: Sequence[Value], rates: Sequence[Value]
-    ) -> list[Value]:
-        """Iω̇ + ω × Iω for rates ω̇: of the moments the differences stand together."""
-        graph = self.graph
-        tilted = [
-            graph.total(graph.product([tensor[i][j], omega[j]]) for j in range(3) if j != i)
-            for i in range(3)
-        ]
-        made = []
-        for i in range(3):
-            j, k = (i + 1) % 3, (i + 2) % 3
-            moments = graph.difference(tensor[k][k], tensor[j][j])
-            made.append(
-                graph.total(
-                    [
-                        *(graph.product([tensor[i][m], rates[m]]) for m in range(3)),
-                        graph.product([moments, omega[j], omega[k]]),
-                        graph.product([omega[j], tilted[k]]),
-                        self.less(graph.product([omega[k], tilted[j]])),
-                    ]
-                )
-            )
         return made

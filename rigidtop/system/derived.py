@@ -36,7 +36,7 @@ from rigidtop.system.names import (
     multipliers,
     named,
 )
-from rigidtop.system.parts import Part, kinetic_energy
+from rigidtop.system.parts import Assembly, Part, kinetic_energy
 
 SMALL = 750
 """Nodes of a graph up to which normal forms are tried, to see whether they are shorter."""
@@ -131,7 +131,9 @@ class Derived:
         """The Lagrangian."""
         if not self.parts:
             return self.rest
-        return self.names.back(kinetic_energy(self.parts, self.names)) + self.rest
+        hanging = (part.potential for part in self.parts if isinstance(part, Assembly))
+        moving = self.names.back(kinetic_energy(self.parts, self.names))
+        return moving + self.rest - sympy.Add(*hanging)
 
     # --- in plain symbols, for what computes ------------------------------------------------------
 

@@ -7,10 +7,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-import sympy
 from numpy.typing import ArrayLike, NDArray
 from sympy import Expr, Symbol
 
@@ -374,22 +373,23 @@ class SystemTrajectory(Rows):
     def places(self) -> Floats:
         """Where the parts of the system are in space, shape (parts, N, 3), in m.
 
+        Those of a mechanism are its links with mass or inertia, by their centres of mass.
         Raises RigidtopError for a system that was not made of parts.
         """
-        return self._of_parts(lambda part: part.place).reshape(-1, 3, len(self)).swapaxes(1, 2)
+        return self._frames[:, :3].swapaxes(1, 2)
 
     def attitudes(self) -> Floats:
         """R of the parts, of mass points 1, shape (parts, N, 3, 3): body to space."""
-        made = self._of_parts(lambda part: getattr(part, "attitude", sympy.eye(3)))
-        return np.moveaxis(made.reshape(-1, 3, 3, len(self)), -1, 1)
+        rows = self._frames[:, 3:].reshape(-1, 3, 3, len(self))
+        return np.moveaxis(rows, -1, 1)
 
-    def _of_parts(self, what: Callable[[Any], Any]) -> Floats:
+    @cached_property
+    def _frames(self) -> Floats:
         if not self._system.parts:
             raise RigidtopError(
                 "the system is not made of masses and bodies: System.of_parts makes one that is"
             )
-        plain = self._system.names.plain
-        return self._arrays([plain(x) for part in self._system.parts for x in what(part)])
+        return self._along(self._system.numeric.frames).reshape(-1, 12, len(self))
 
     def animate(self, path: str, duration: float | None = None) -> None:
         """A film of the parts as a GIF, or an MP4 where ffmpeg is: points, rods, bodies' axes.

@@ -24,6 +24,7 @@ from rigidtop.codegen.sizes import with_sizes
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import taylor
 from rigidtop.motion.integrate import TAYLOR
+from rigidtop.system.balance import Balance
 from rigidtop.system.canonical import Canonical
 from rigidtop.system.names import own_functions
 
@@ -153,6 +154,12 @@ class Numeric:
         places = [x for x, of in zip(sides.rules, self.system.holonomic, strict=True) if of]
         rows = [x for row in (*sides.mass, *sides.constraints) for x in row]
         return self.on_graph([*rows, *sides.speeds, *places], "surface")
+
+    @cached_property
+    def frames(self) -> Function:
+        """Of each mass and body the place (3), then the attitude row by row (9)."""
+        balance = Balance(self.system, self.system.balanced.graph)
+        return self.on_graph(list(balance.frames()), "frames")
 
     def with_sizes(self, values: Iterable[Value]) -> list[Value]:
         """Values on the system's graph, each with the sum of the magnitudes of its terms."""

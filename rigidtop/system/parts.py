@@ -5,6 +5,7 @@ From them come T and V, and besides, without any Lagrangian, the equations: see 
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -37,7 +38,7 @@ class Mass:
 
     def __init__(self, mass: Expr, place: Given) -> None:
         object.__setattr__(self, "mass", expression("a mass", mass))
-        object.__setattr__(self, "place", _place(place))
+        object.__setattr__(self, "place", checked_place(place))
 
     @property
     def expressions(self) -> tuple[Expr, ...]:
@@ -65,13 +66,9 @@ class Body:
 
     def __init__(self, mass: Expr, inertia: Given, place: Given, attitude: Given) -> None:
         object.__setattr__(self, "mass", expression("a mass", mass))
-        object.__setattr__(self, "inertia", _inertia(inertia))
-        object.__setattr__(self, "place", _place(place))
-        if not isinstance(attitude, MatrixBase) or attitude.shape != (3, 3):
-            raise RigidtopError("an attitude is a 3×3 matrix with e₁, e₂, e₃ as its columns")
-        if not _is_orthogonal(attitude):
-            raise RigidtopError("the attitude is no rotation: RᵀR is not 1")
-        object.__setattr__(self, "attitude", attitude.as_immutable())
+        object.__setattr__(self, "inertia", checked_inertia(inertia))
+        object.__setattr__(self, "place", checked_place(place))
+        object.__setattr__(self, "attitude", checked_attitude(attitude))
 
     @property
     def expressions(self) -> tuple[Expr, ...]:
@@ -79,10 +76,46 @@ class Body:
         return (self.mass, *self.inertia, *self.place, *self.attitude)
 
 
-Part = Mass | Body
+class Assembly(ABC):
+    """Bodies that hang together, with the gravity that acts on them: see `linkage`."""
+
+    @property
+    @abstractmethod
+    def expressions(self) -> tuple[Expr, ...]:
+        """All that it is given."""
+
+    @property
+    @abstractmethod
+    def bodies(self) -> tuple[Body, ...]:
+        """Those that have mass or inertia."""
+
+    @property
+    @abstractmethod
+    def potential(self) -> Expr:
+        """Its potential energy."""
 
 
-def _inertia(given: Given) -> MatrixBase:
+Part = Mass | Body | Assembly
+
+
+def single(parts: Sequence[Part]) -> tuple[Mass | Body, ...]:
+    """The masses and bodies of which parts are made."""
+    made: list[Mass | Body] = []
+    for part in parts:
+        made += part.bodies if isinstance(part, Assembly) else [part]
+    return tuple(made)
+
+
+def checked_attitude(given: Given) -> MatrixBase:
+    """A rotation (3×3).  Raises RigidtopError for what is none."""
+    if not isinstance(given, MatrixBase) or given.shape != (3, 3):
+        raise RigidtopError("an attitude is a 3×3 matrix with e₁, e₂, e₃ as its columns")
+    if not _is_orthogonal(given):
+        raise RigidtopError("the attitude is no rotation: RᵀR is not 1")
+    return given.as_immutable()
+
+
+def checked_inertia(given: Given) -> MatrixBase:
     """The tensor (3×3)."""
     rows = given.tolist() if isinstance(given, MatrixBase) else given
     if not hasattr(rows, "__len__") or len(rows) != 3:
@@ -98,7 +131,7 @@ def _inertia(given: Given) -> MatrixBase:
     return made
 
 
-def _place(given: Given) -> MatrixBase:
+def checked_place(given: Given) -> MatrixBase:
     """Three components."""
     if isinstance(given, (str, bytes)) or not hasattr(given, "__len__"):
         raise RigidtopError(f"a place has two or three components, not {in_one_line(given)}")
@@ -136,7 +169,7 @@ def spin(attitude: MatrixBase, names: Names) -> Matrix:
 def kinetic_energy(parts: Sequence[Part], names: Names) -> Expr:
     """½ Σ m ṙ² + ½ Σ ω·Iω, in plain symbols."""
     total = Integer(0)
-    for part in parts:
+    for part in single(parts):
         v = velocity(names.plain(part.place), names)
         total += Rational(1, 2) * names.plain(part.mass) * reduce_trig(v.dot(v))
         if isinstance(part, Body):
@@ -145,7 +178,7 @@ def kinetic_energy(parts: Sequence[Part], names: Names) -> Expr:
     return total
 
 
-def potential_energy(parts: Sequence[Part], gravity: MatrixBase) -> Expr:
+def potential_energy(parts: Sequence[Mass | Body], gravity: MatrixBase) -> Expr:
     """−Σ m g·r for the `gravity` g (3×1)."""
     along = [k for k in range(3) if gravity[k] != 0]
     return -sympy.Add(*(part.mass * gravity[k] * part.place[k] for part in parts for k in along))

@@ -13,9 +13,10 @@ from sympy import Expr, Matrix
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
 from rigidtop.system.forms import short
+from rigidtop.system.linkage import Linkage, Tree
 from rigidtop.system.names import Given, expression
 from rigidtop.system.numeric import Computed
-from rigidtop.system.parts import Body, Mass, Part, potential_energy
+from rigidtop.system.parts import Body, Mass, potential_energy
 
 if TYPE_CHECKING:
     from rigidtop.proof.equation import Equation
@@ -63,7 +64,7 @@ class System(Computed):
     @classmethod
     def of_parts(
         cls,
-        parts: Part | Sequence[Part],
+        parts: Given,
         q: Given,
         qdot: Given = None,
         *,
@@ -73,6 +74,7 @@ class System(Computed):
     ) -> System:
         """From masses and bodies, with their places and attitudes as functions of q and t.
 
+        A part may be a `Mechanism` too, in coordinates of which its own are some.
         `gravity` is g as a vector of 2 or 3 components, `V` what potential energy there is besides;
         `more` are `forces`, `constraints` and `rayleigh`.
 
@@ -82,14 +84,19 @@ class System(Computed):
         >>> System.of_parts(bob, theta, omega, gravity=[0, -g]).L
         g*l*m*cos(theta) + l**2*m*omega**2/2
         """
-        parts = (parts,) if isinstance(parts, (Mass, Body)) else tuple(parts)
-        for part in parts:
-            if not isinstance(part, (Mass, Body)):
+        given = (parts,) if isinstance(parts, (Mass, Body, Linkage)) else tuple(parts)
+        g = Mass(1, (0, 0, 0) if gravity is None else gravity).place
+        V, made = expression("V", V), []
+        for part in given:
+            if not isinstance(part, (Mass, Body, Linkage)):
                 raise RigidtopError(f"a part is a Mass or a Body, not {in_one_line(part)}")
-        V = expression("V", V)
+            made.append(Tree(part, g) if isinstance(part, Linkage) else part)
         if gravity is not None:
-            V += potential_energy(parts, Mass(1, gravity).place)
-        return cls.of_energies(0, V, q, qdot, parts=parts, **more)
+            V += potential_energy([x for x in made if isinstance(x, (Mass, Body))], g)
+        system = cls.of_energies(0, V, q, qdot, parts=made, **more)
+        if any(isinstance(part, Tree) for part in made):
+            object.__setattr__(system, "potential", None)  # of which V is only what is besides
+        return system
 
     def __repr__(self) -> str:
         names = self.names

@@ -20,7 +20,7 @@ from rigidtop.parameters import in_one_line
 from rigidtop.proof.equation import Equation
 from rigidtop.system.motion import SystemMotion
 from rigidtop.system.numeric import BALANCE, Computed
-from rigidtop.system.parts import Body, Mass
+from rigidtop.system.parts import Body, Mass, single
 from rigidtop.typeset.mathml import display, mathml
 from rigidtop.typeset.text import text
 from rigidtop.web.page import Page, common, document, json_text
@@ -48,7 +48,7 @@ class Scene:
         if points:
             parts: Sequence[Mass | Body] = [Mass(1, each) for each in _several(points)]
         else:
-            parts = system.parts
+            parts = single(system.parts)
         self.places = [system.names.plain(part.place) for part in parts]
         self.attitudes: dict[int, MatrixBase] = {
             k: system.names.plain(part.attitude)

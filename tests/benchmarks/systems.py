@@ -23,12 +23,15 @@ from numpy.typing import NDArray
 from rows import ROUNDS, Row, Task, Way, measured, missing, table
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
+from rigidtop.system.linkage import Joint, Link
+from rigidtop.system.mechanism import Mechanism
 from rigidtop.system.parts import Body, Mass
 from rigidtop.system.system import System
 from rigidtop.theory import top
 
 m, length, g = sympy.symbols("m length g", positive=True)
 BICYCLE = Path(__file__).parent.parent / "systems/test_bicycle.py"
+TWISTS = [sympy.pi / 2, 0, sympy.pi / 2, -sympy.pi / 2, sympy.pi / 2, 0]
 PARAMETERS = {m: 1.0, length: 1.0, g: 9.81}
 
 
@@ -51,16 +54,32 @@ def arm() -> System:
     along = sympy.symbols("d1:7", positive=True)
     across = sympy.symbols("a1:7", positive=True)
     behind = sympy.symbols("r1:7", positive=True)
-    twists = [sympy.pi / 2, 0, sympy.pi / 2, -sympy.pi / 2, sympy.pi / 2, 0]
     place, attitude, parts = sympy.zeros(3, 1), sympy.eye(3), []
     for k, angle in enumerate(angles):
         turned = attitude * sympy.rot_axis3(-angle)
         place = place + turned * sympy.Matrix([across[k], 0, along[k]])
-        attitude = turned * sympy.rot_axis1(-twists[k])
+        attitude = turned * sympy.rot_axis1(-TWISTS[k])
         centre = place - behind[k] * attitude[:, 2]
         moments = sympy.symbols(f"A{k} B{k} C{k}", positive=True)
         parts.append(Body(sympy.Symbol(f"m{k}", positive=True), moments, centre, attitude))
     return System.of_parts(parts, angles, gravity=[0, 0, -g])
+
+
+def arm_by_joints() -> System:
+    """The same arm by its joints: each link's axes are those of its joint before the twist."""
+    along, across, behind = (sympy.symbols(f"{x}1:7", positive=True) for x in "dar")
+    links, joints = [Link("base")], []
+    place, attitude = sympy.zeros(3, 1), sympy.eye(3)
+    for k, twist in enumerate(TWISTS):
+        name, before = f"link {k + 1}", links[-1].name
+        joints.append(Joint(f"q{k + 1}", before, name, place=place, attitude=attitude))
+        attitude = sympy.rot_axis1(-twist)
+        place = sympy.Matrix([across[k], 0, along[k]])
+        moments = sympy.diag(*sympy.symbols(f"A{k} B{k} C{k}", positive=True))
+        centre = place - behind[k] * attitude[:, 2]
+        inertia = attitude * moments * attitude.T
+        links.append(Link(name, sympy.Symbol(f"m{k}", positive=True), centre, inertia))
+    return Mechanism(links, joints).system(gravity=[0, 0, -g])
 
 
 def bicycle() -> System:
@@ -90,6 +109,7 @@ LONG = {
     "12 pendulums in a row": "pendulums(12)",
     "20 pendulums in a row": "pendulums(20)",
     "an arm of 6 joints": "arm()",
+    "the same arm by its joints": "arm_by_joints()",
     "Whipple's bicycle": "bicycle()",
 }
 """Systems of which SymPy has no right-hand side in a reasonable time."""
