@@ -216,7 +216,9 @@ class Derived:
         """
         try:
             programs = [self.lines(self.balanced.solution)]
-            if len(self.balanced.graph.nodes) < SMALL:
+            # Of a mechanism's L, all in space, SymPy's normal forms take long.
+            in_space = any(isinstance(part, Assembly) for part in self.parts)
+            if len(self.balanced.graph.nodes) < SMALL and not in_space:
                 programs += map(self._by_normal_form, NORMAL)
         except SingularError:
             raise RigidtopError(self.balanced.why_singular(self.qdot)) from None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from sympy import Expr, Integer
@@ -14,6 +15,7 @@ from rigidtop.parameters import in_one_line
 from rigidtop.system.linkage import Linkage
 from rigidtop.system.names import Given, expression
 from rigidtop.system.system import System
+from rigidtop.system.urdf import links_and_joints
 
 
 @dataclass(frozen=True, init=False)
@@ -33,6 +35,29 @@ class Mechanism(Linkage):
     >>> pendulum.system(gravity=(0, -g, 0)).accelerations
     Matrix([[-g*sin(theta(t))/l]])
     """
+
+    @classmethod
+    def from_urdf(cls, given: str | Path, friction: bool = True) -> Mechanism:
+        """The mechanism that a URDF describes, a path or the text; its root rests in space.
+
+        Decimals count as they are written; an angle of an `rpy` that is a multiple of π/12, rounded
+        to the decimals that are written, four at least, is taken as that multiple.  A floating
+        joint is six single ones, name_x to name_z, name_yaw, name_pitch and name_roll, and a planar
+        one is name_x, name_y and name_yaw.  A joint that mimics another has no coordinate.  Damping
+        is that of the joints; Coulomb friction, which is not smooth, is refused, and with
+        `friction` False left out.  Raises RigidtopError, in one line, for what is no URDF.
+
+        >>> made = Mechanism.from_urdf(
+        ...     '''<robot name="pendulum"><link name="wall"/>
+        ...     <link name="bob">
+        ...     <inertial><origin xyz="0 0 -0.5"/><mass value="2"/></inertial></link>
+        ...     <joint name="theta" type="continuous"><parent link="wall"/><child link="bob"/>
+        ...     <dynamics damping="0.1"/></joint></robot>'''
+        ... )
+        >>> made.system(gravity=(0, 0, -10)).accelerations
+        Matrix([[-20*sin(theta(t)) - Derivative(theta(t), t)/5]])
+        """
+        return cls(*links_and_joints(given, friction))
 
     def system(
         self,
