@@ -146,6 +146,8 @@ class Context:
     """Letters that are said to be much smaller than others, together at a time."""
     compared: int = -1
     """The sentence that said so last."""
+    another: int = -1
+    """The last statement with which words took something else than before."""
     brackets: int = 1
     """The sign of ∂f/∂q ∂g/∂p in the text's Poisson brackets."""
     limits: tuple[Limit, ...] = ()

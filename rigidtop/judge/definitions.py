@@ -166,7 +166,10 @@ def again(question: Question) -> Judgement | None:
 
 
 def number_again(question: Question) -> Judgement | None:
-    """A number that is given to a letter in place of the one that it had in another problem."""
+    """A number that is given to a letter in place of the one that it had in another problem.
+
+    A measured one contradicts the one above unless words have taken something else since.
+    """
     letter, _ = named(question.left)
     context, at = question.context, question.at
     older = context.definitions.get(letter) if letter is not None else None
@@ -174,15 +177,15 @@ def number_again(question: Question) -> Judgement | None:
         return None
     measured = any(isinstance(x, n.Unit) for x in n.walked(older.node))
     given = not own_letters(older.node) and (measured or not own_letters(question.right))
-    other = at.inline and not (at.derived or question.inner)
-    anew = (at.supposed or at.defined) and not at.derived
-    anew |= bool(own_letters(question.right))
-    other |= measured and anew and not question.inner
+    taken = at.supposed or older.number < context.another if measured else at.inline
+    other = (taken and not at.derived) or (measured and bool(own_letters(question.right)))
+    other &= not question.inner
     if not given or not (other or _may_be_another(question, older)):
         return None
     if compared(question.left, question.right, question.meant).passed:
         return None
     known = _given_anew(context, letter, Definition(question.right, at.number, at.scope))
+    known = replace(known, another=at.number)
     return Outcome(DEFINITION, f"{in_words(letter)} is used again"), known
 
 

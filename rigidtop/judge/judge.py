@@ -76,6 +76,8 @@ class Judge:
         if isinstance(statement.sides[0], n.Limit):
             statement, context = approximations.limited(statement, situation, context)
         context = context.moved(moving_in(statement))
+        if situation.another:
+            context = replace(context, another=situation.number)
         outcome, after = self._for_each(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
         names = outcome.verdict == DEFINITION and outcome.brings  # "is Q = … canonical?"

@@ -74,6 +74,11 @@ class Situation:
         return Cue.ANEW in self.cues
 
     @property
+    def another(self) -> bool:
+        """Whether words take something else than before, or what has changed since."""
+        return bool(self.cues & {Cue.ANOTHER, Cue.ANEW})
+
+    @property
     def ranges(self) -> bool:
         """Whether it says where something begins or ends."""
         return Cue.RANGE in self.cues

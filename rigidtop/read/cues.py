@@ -14,7 +14,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from rigidtop.read.phrases import BEFORE, BEHIND, INLINE, TITLED, WITHIN, Cue
+from rigidtop.read.phrases import ANOTHER, BEFORE, BEHIND, INLINE, TITLED, WITHIN, Cue
 
 _LET_GO = r"(?:released|let go|dropped|losgelassen|lâchée?s?|abandonnée?s?)"
 _REST = re.compile(
@@ -53,6 +53,7 @@ _BEFORE = {cue: _ends(patterns, "[ :(]*") for cue, patterns in BEFORE.items()}
 _INLINE = {cue: _ends(patterns, "[ ,:(]*") for cue, patterns in INLINE.items()}
 _WITHIN = {cue: re.compile("|".join(patterns), re.I) for cue, patterns in WITHIN.items()}
 _BEHIND = {cue: re.compile("|".join(patterns), re.I) for cue, patterns in BEHIND.items()}
+_ANOTHER = re.compile("|".join(ANOTHER), re.I)
 _TITLED = re.compile(rf"(?:{'|'.join(TITLED)})\Z", re.I)
 _WHERE = re.compile(r"\bwhere\Z", re.I)
 _CHOSEN = re.compile(
@@ -185,6 +186,15 @@ def begins_at_rest(words: str) -> bool:
     (True, False)
     """
     return _REST.search(words) is not None
+
+
+def takes_another(words: str) -> bool:
+    """Whether words take another body than before, or one that has changed since.
+
+    >>> takes_another("Another wheel has"), takes_another("The moment of the wheel amounts to")
+    (True, False)
+    """
+    return _ANOTHER.search(words) is not None
 
 
 def enumerates(before: str) -> bool:

@@ -19,6 +19,7 @@ from rigidtop.read.cues import (
     enumerates,
     kept,
     passed_on,
+    takes_another,
     unequal,
 )
 from rigidtop.read.left import states
@@ -73,6 +74,8 @@ def _said(words: str) -> Iterator[Cue]:
     """What words say of all that follows."""
     if begins_at_rest(words):
         yield Cue.REST
+    if takes_another(words):
+        yield Cue.ANOTHER
     yield from kept(words)
 
 

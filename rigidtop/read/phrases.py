@@ -43,6 +43,8 @@ class Cue(Enum):
     """It says where something begins, or where it ends: "from § to §"."""
     ANEW = auto()
     """It is what something is after a change: "the new energy is"."""
+    ANOTHER = auto()
+    """Since the statement before, words take something else, or what has changed since."""
     DIVISOR = auto()
     """Something is divided by it."""
     CONSERVED = auto()
@@ -82,14 +84,15 @@ _FIXED = (
     r"(?:constant|const\b|conserved|fixed|unchanged|the same|konstant|erhalten|fest|unverändert"
     r"|constante?s?|conservée?s?)"
 )
-_QUANTITY = (
-    r"(?:[\w-]+ ){0,3}(?:(?:kinetic |potential )?energ(?:y|ies)|moment(?:a|um|s)?|veloci\w+|speed"
+_MEASURE = (
+    r"(?:(?:kinetic |potential )?energ(?:y|ies)|moment(?:a|um|s)?|veloci\w+|speed"
     r"|accelerations?|forces?|torques?|frequenc\w+|periods?|angles?|rates?|times?|Lagrangian"
     r"|Hamiltonian|action|tensor|matri\w+|equations?|components?|coordinates?|potential|amplitudes?"
     r"|work|power|distance|positions?|ratio|first|second|third|last|next|rest|sake|same|purposes?"
     r"|solutions?|derivatives?|constants?|tension|mass|density|radius|length|height|sum|axes|axis)\b"
 )
 """Words for what a letter stands for, not for the body that has it."""
+_QUANTITY = rf"(?:[\w-]+ ){{0,3}}{_MEASURE}"
 _PLACE = (
     r"(?:start|beginning|top|bottom|end|edge|(?:turning|lowest|highest|foremost|nearest) point"
     r"|point (?:next|nearest|closest|furthest|farthest)[^,;:§]{0,30}|(?:same |first |last )?moment"
@@ -375,5 +378,25 @@ INLINE: dict[Cue, tuple[str, ...]] = {
 
 What they suppose of an inequality is a condition; a display is what the sentence says itself.
 """
+ANOTHER = (
+    r"\b(?:another|instead|this time|(?:an?|the|its|of|for) (?:second|third|fourth|new|other|next"
+    r"|different|heavier|lighter|larger|smaller|longer|shorter|bigger)"
+    r"|ander(?:e[mnrs]?|s)|zweite[mnrs]?|dritte[mnrs]?|neue[mnrs]?|nächste[mnrs]?|stattdessen"
+    r"|diesmal|autres?|deuxième|seconde?|troisième|nouve(?:au|lle)|cette fois)\b",
+    r"\b(?:now (?:with|for|has|have|is|are)|(?:is|are|has|have) now|(?:hat|ist|beträgt|mit) (?:nun"
+    r"|jetzt)|(?:nun|jetzt) (?:hat|ist|beträgt|mit)|(?:a|est|avec) maintenant"
+    r"|maintenant (?:a|est|avec))\b",
+    r"\b(?:after(?:wards)?|later|finally|at last|nach(?:dem|her)?|später|danach|zuletzt|après"
+    r"|ensuite|enfin|plus tard)\b",
+    r"\b(?:rais|increas|reduc|lower|doubl|halv|chang|shorten|lengthen|enlarg|replac|rise|grow|drop"
+    r"|fall|sink|slow|erhöh|verringer|veränder|verdoppel|halbier|ersetz|wächst|sinkt|augment"
+    r"|diminu|rédui|doubl|remplac)\w*",
+    rf"(?:^|[.;:¶(] ?|\b(?:of|for|take|consider|imagine|suppose|on|nehmen) )"
+    rf"(?:an?|eine?[mnrs]?|une?) (?!{_MEASURE})\w",
+    r"\b(?:with|mit|avec) ?\Z",
+    rf"(?:^|[,;:.(¶–] ?|\b(?:and|but|und|aber|et|mais) )(?:with|mit|avec){_NOUN} ?\Z",
+)
+"""Since the statement before: what gets a number then need not be what had one above."""
+
 TITLED = (r"[^¶]*\w[^¶]*¶[ ,.:–-]*", r"[^§]*\w[^§]*¶ ?(?:then|now|dann|nun|alors)")
 """In front of a formula: it stands directly behind a title, which says what is supposed."""
