@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable
 from sympy import Add, Expr
 
 from rigidtop.judge.jets import Jet, jets, symbol
+from rigidtop.judge.letters import ANGLES
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 
@@ -22,11 +23,11 @@ def conjugates(names: Collection[Letter]) -> list[tuple[Letter, Letter]]:
         if p.base == ("P" if q.base == "Q" else "p") and q in names
     ]
     if not pairs:
-        pairs = [(w, action) for w, action in _ANGLES if {w, action} <= {*names}]
+        pairs = [(w, action) for w, action in _ACTIONS if {w, action} <= {*names}]
     return pairs if len({p for _, p in pairs}) == len(pairs) else []
 
 
-_ANGLES = [(Letter(w), Letter(action)) for w in "wθφα" for action in "JI"]
+_ACTIONS = [(Letter(w), Letter(action)) for w in sorted(ANGLES | {"w"}) for action in "JI"]
 """Angles with their actions."""
 
 

@@ -7,13 +7,11 @@ from dataclasses import dataclass, field, replace
 
 from sympy import MatrixBase
 
+from rigidtop.judge.letters import CLOCK
 from rigidtop.tree.nodes import Letter, Node, Number, Unit, letters, walked
 
 START = "start"
 """The instant at which a motion begins; the time is zero then, if nothing else is said."""
-
-TIME = Letter("t")
-"""What it is at a moment is over with the scope in which that is said."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +99,7 @@ class Habits:
     primes_are_rates: bool = False
     lengths: frozenset[Letter] = frozenset()
     vectors: frozenset[Letter] = frozenset()
-    running: Letter = TIME
+    running: Letter = CLOCK
     fields: frozenset[Letter] = frozenset()
 
 
@@ -245,7 +243,7 @@ class Context:
         definitions = {
             letter: definition
             for letter, definition in self.definitions.items()
-            if definition.lasts(scope) and (letter != TIME or is_open(definition.scope, scope))
+            if definition.lasts(scope) and (letter != CLOCK or is_open(definition.scope, scope))
         }
         open_here = tuple(each for each in self.open if is_open(each.scope, scope))
         moved = tuple(each for each in self.accelerations if is_open(each.scope, scope))

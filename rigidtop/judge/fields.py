@@ -14,6 +14,7 @@ from sympy import MatrixBase
 from rigidtop.judge.context import FIELD, Context, Definition
 from rigidtop.judge.faults import NUMBERS, SLIP_SECONDS
 from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS, Residual
+from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
@@ -41,7 +42,7 @@ def fields_of(
         for slope in nodes:
             if isinstance(slope, n.Derivative) and isinstance(slope.of, Letter):
                 known = slope.of in seen and slope.of not in fields
-                driven = not slope.partial and {*slope.by} & {*moving, Letter("t")}
+                driven = not slope.partial and {*slope.by} & {*moving, CLOCK}
                 if known or driven or not all(isinstance(x, Letter) for x in slope.by):
                     continue
                 fields[slope.of] = (*dict.fromkeys((*fields.get(slope.of, ()), *slope.by)),)

@@ -13,6 +13,7 @@ from rigidtop.judge.alphabet import Alphabet, letters_of
 from rigidtop.judge.context import PREMISE, Constraint, Context, Definition, Habits
 from rigidtop.judge.jets import TIME, Jet, jets, symbol
 from rigidtop.judge.laws import Residual
+from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.meaning import Meaning, Meant, Memory, particles
 from rigidtop.judge.values import UnclearError, Value, pairs
 from rigidtop.proof.moves import Condition, Scope
@@ -84,7 +85,7 @@ def names_and_slopes(read: Iterable[Statement]) -> frozenset[Letter]:
 
 def habits(written: frozenset[Letter], letters: Alphabet) -> Habits:
     """How pages use the letters that are `written`: what is no number moves."""
-    moving = (written | letters.unit) - letters.numbers - {Letter("t"), Letter("π")}
+    moving = (written | letters.unit) - letters.numbers - {CLOCK, Letter("π")}
     entries = {entry_of(x) for x in letters.operators & moving}
     return Habits(moving | entries, letters.functions)
 
@@ -148,7 +149,7 @@ class Ground:
         known = letters_of(x for c in self.premises.conditions for x in c.expression.free_symbols)
         known |= {x for each in self.premises.stated for y in each.sides for x in n.letters(y)}
         here = {x for each in self.stated for side in each.sides for x in n.letters(side)}
-        fixed = self.letters.unit | {Letter("t"), Letter("π"), Letter("e"), Letter("i")}
+        fixed = self.letters.unit | {CLOCK, Letter("π"), Letter("e"), Letter("i")}
         indices = {x for x in here if x.base in self.context.habits.indices and not x.sub}
         return frozenset(here - known - fixed - indices)
 
@@ -204,9 +205,7 @@ class Ground:
                     n.Product((n.Rate(n.Dot(e, each.of), each.order), e)) for e in self.letters.body
                 ]
                 return n.Sum(tuple(terms))
-            if isinstance(each, n.Derivative) and not (
-                each.by == (Letter("t"),) and not each.partial
-            ):
+            if isinstance(each, n.Derivative) and not (each.by == (CLOCK,) and not each.partial):
                 of = n.ungrouped(each.of)
                 along = not each.partial and {of, *each.by} <= self.habits.moving
                 known = along or of in definitions or self.whole

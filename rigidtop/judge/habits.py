@@ -7,11 +7,11 @@ from dataclasses import replace
 from itertools import pairwise
 
 from rigidtop.judge.brackets import conjugates
-from rigidtop.judge.context import TIME, Habits
+from rigidtop.judge.context import Habits
 from rigidtop.judge.fields import fields_of
 from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS
+from rigidtop.judge.letters import CLOCK, COORDINATES, PLACES, SPEED, SPEEDS
 from rigidtop.judge.names import is_component
-from rigidtop.judge.starts import COORDINATES, PLACES, SPEED, SPEEDS
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.statement import Statement, Unread
@@ -45,7 +45,7 @@ def _changing(nodes: Iterable[Node], moving: Collection[Letter]) -> set[Letter]:
     return {
         x
         for letters in products
-        if not letters & {*moving, TIME}
+        if not letters & {*moving, CLOCK}
         for x in letters
         if x.base in COORDINATES | SPEEDS
     }
@@ -91,14 +91,14 @@ def _passed(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter
         names = n.letters(right)
         places = {x for x in names if x.base in _PLACES and not (x.sub or x.bold)}
         is_speed = isinstance(speed, Letter) and speed.base in SPEEDS and speed in moving
-        if is_speed and not names & {*moving, TIME} and len(places) == 1 and not places & timed:
+        if is_speed and not names & {*moving, CLOCK} and len(places) == 1 and not places & timed:
             passed |= places
     return passed
 
 
 def _travelled(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
     """The place that is given in time where a speed v moves, and no place does."""
-    given = {each.sides[0] for each in read for x in each.sides[1:] if TIME in n.letters(x)}
+    given = {each.sides[0] for each in read for x in each.sides[1:] if CLOCK in n.letters(x)}
     places = {x for x in map(Letter, PLACES) if x in given}
     others = any(x.base in COORDINATES and x != SPEED for x in moving)
     return places if SPEED in moving and len(places) == 1 and not others else set()
@@ -107,7 +107,7 @@ def _travelled(read: Sequence[Statement], moving: Collection[Letter]) -> set[Let
 def _beside_time(read: Sequence[Statement]) -> frozenset[Letter]:
     """The letters of what is given as a function of the time, which are constant in it."""
     sides = [each.sides[1] for each in read if each.relations[:1] == ("=",)]
-    return frozenset().union(*(n.letters(x) for x in sides if TIME in n.letters(x)))
+    return frozenset().union(*(n.letters(x) for x in sides if CLOCK in n.letters(x)))
 
 
 def _driven(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
@@ -118,7 +118,7 @@ def _driven(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter
         speeds = {x for x in names if x.base in SPEEDS and not x.bold}
         given = each.relations == ("=",) and each.sides[0] in moving
         momentum = isinstance(each.sides[0], Letter) and each.sides[0].base == "p"
-        if given and momentum and not names & {*moving, TIME} and len(speeds) == 1:
+        if given and momentum and not names & {*moving, CLOCK} and len(speeds) == 1:
             driven |= speeds
     return driven
 
@@ -141,8 +141,8 @@ def _parameters(read: Sequence[Statement], moving: Collection[Letter]) -> set[Le
     """
     given = [(x.sides[0], x.sides[1]) for x in read if x.relations[:1] == ("=",)]
     parameters = set()
-    driven = {*moving, TIME} | {name for name, value in given if n.letters(value) & {*moving}}
-    driven |= _beside_time(read) | {name for name, value in given if TIME in n.letters(value)}
+    driven = {*moving, CLOCK} | {name for name, value in given if n.letters(value) & {*moving}}
+    driven |= _beside_time(read) | {name for name, value in given if CLOCK in n.letters(value)}
     for name, value in given:
         letters = n.letters(value)
         alike = value.of if isinstance(value, n.Negative) else value
@@ -275,13 +275,13 @@ def running_of(read: Sequence[Statement]) -> Letter:
     running = set()
     for each in read:
         nodes = [node for side in each.sides for node in n.walked(side)]
-        if TIME in nodes or any(isinstance(x, n.Rate) for x in nodes):
-            return TIME
+        if CLOCK in nodes or any(isinstance(x, n.Rate) for x in nodes):
+            return CLOCK
         slopes = [x for x in nodes if isinstance(x, n.Derivative) and not x.partial]
         running |= {x.by for x in slopes if _is_unknown(x.of, before) and nodes.count(x.of) > 1}
         before |= frozenset().union(*map(n.letters, each.sides))
-    [by] = running if len(running) == 1 else [(TIME,)]
-    return by[0] if len(by) == 1 and isinstance(by[0], Letter) else TIME
+    [by] = running if len(running) == 1 else [(CLOCK,)]
+    return by[0] if len(by) == 1 and isinstance(by[0], Letter) else CLOCK
 
 
 def _is_unknown(node: Node, before: Collection[Letter]) -> bool:
@@ -291,7 +291,7 @@ def _is_unknown(node: Node, before: Collection[Letter]) -> bool:
 
 def _is_function(node: Node) -> bool:
     """Whether it is written as a function of something else than the time, as F(q)."""
-    return isinstance(node, n.Call) and Letter("t") not in node.places
+    return isinstance(node, n.Call) and CLOCK not in node.places
 
 
 def bare(node: Node) -> Node:

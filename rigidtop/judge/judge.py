@@ -12,6 +12,7 @@ from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import SETTING, START, Constraint, Context, Definition
 from rigidtop.judge.jets import jets
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
+from rigidtop.judge.letters import TURNING
 from rigidtop.judge.meaning import Meaning, Memory
 from rigidtop.judge.names import is_component
 from rigidtop.judge.outcome import (
@@ -186,7 +187,7 @@ class Judge:
             return False
         rates = [x for x, jet in jets(value).items() if jet.order]
         rest = value.subs(dict.fromkeys(rates, 0))
-        return any(jet.letter.base in "ωΩ" for jet in jets(rest).values())
+        return any(jet.letter.base in TURNING for jet in jets(rest).values())
 
     def _in_some_axes(
         self, statement: Statement, situation: Situation, context: Context

@@ -35,6 +35,7 @@ from rigidtop.judge.jets import (
     symbol,
     symbols,
 )
+from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.meaning import Meaning, Memory, particles
 from rigidtop.judge.names import is_vector
 from rigidtop.judge.values import LARGEST, UnclearError, is_identity, pairs, plain
@@ -460,7 +461,7 @@ def _everywhere(expression: Expr, constraint: Constraint, context: Context) -> l
     functions = context.habits.functions
     names = letters(constraint.left) | letters(constraint.right)
     places = {x for name in names if name in functions for x in functions[name]}
-    numbers = (TIME if x == Letter("t") else symbol(Jet(x)) for x in places)  # type: ignore[arg-type]
+    numbers = (TIME if x == CLOCK else symbol(Jet(x)) for x in places)  # type: ignore[arg-type]
     inner = sorted(numbers, key=str)
     return [
         expression.xreplace({x: sympy.Rational(k + j, 7) for j, x in enumerate(inner, 2)})

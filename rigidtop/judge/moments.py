@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 from rigidtop.judge.context import START
 from rigidtop.judge.habits import bare
+from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.reading import Read
 from rigidtop.judge.sides import letters_in
 from rigidtop.read.cues import ends_moment
@@ -37,13 +38,12 @@ _AFTER = re.compile(
     r"\b(?:in|after|at|within|nach|zur|bei|à|après|au bout)(?: [\w'-]+){0,3} ?\Z", re.I
 )
 """Words in front of the time at which something is: "after the time t = …"."""
-_TIME = Letter("t")
 
 
 def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
     """The instant of which each statement speaks; "" for all times."""
     made: list[str] = []
-    seen: set[Letter] = {_TIME}
+    seen: set[Letter] = {CLOCK}
     words = _Words()
     for passage, each in read:
         words.hear(passage, each, moving)
@@ -138,7 +138,7 @@ def _is_of_motion(each: Statement | Unread, moving: frozenset[Letter]) -> bool:
 
 def _is_any(each: Statement, moving: frozenset[Letter]) -> bool:
     """Whether it is the time alone, or a letter that moves: "when the angle φ has been unwound"."""
-    return len(each.sides) == 1 and each.sides[0] in moving | {_TIME}
+    return len(each.sides) == 1 and each.sides[0] in moving | {CLOCK}
 
 
 def _is_kinematic(each: Statement, moving: frozenset[Letter]) -> bool:
@@ -171,7 +171,7 @@ def _has(node: Node, place: Node | None) -> bool:
 
 def _speaks_of_time(each: Statement) -> bool:
     """Whether the time stands in it, so that it is said of all times."""
-    return any(_TIME in n.letters(side) for side in each.sides)
+    return any(CLOCK in n.letters(side) for side in each.sides)
 
 
 def _introduces(
@@ -204,12 +204,12 @@ def time_of(statement: Statement) -> Node | None:
     if statement.relations != ("=",):
         return None
     left, right = statement.sides
-    if left == _TIME:
+    if left == CLOCK:
         return right
-    if isinstance(left, n.Product) and left.factors.count(_TIME) == 1:
-        rest = tuple(x for x in left.factors if x != _TIME)
+    if isinstance(left, n.Product) and left.factors.count(CLOCK) == 1:
+        rest = tuple(x for x in left.factors if x != CLOCK)
         plain_rest = all(isinstance(x, (Letter, n.Number)) for x in rest)
-        if plain_rest and _TIME not in n.letters(right):
+        if plain_rest and CLOCK not in n.letters(right):
             return n.Quotient(right, n.Product(rest))
     return None
 

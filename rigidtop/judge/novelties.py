@@ -12,9 +12,9 @@ from rigidtop.judge.context import FORCED, LAW, PREMISE, RULE, SETTING, Definiti
 from rigidtop.judge.faults import is_worked_out, slip
 from rigidtop.judge.jets import TIME, jet_of, jets, rate
 from rigidtop.judge.laws import LAGRANGIANS, highest, is_any, lagrange
+from rigidtop.judge.letters import CLOCK, FREQUENCIES
 from rigidtop.judge.meaning import Meant
 from rigidtop.judge.names import is_component, is_vector
-from rigidtop.judge.oscillations import FREQUENCIES
 from rigidtop.judge.outcome import DEFINITION, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes
@@ -248,7 +248,7 @@ def dot(question: Question) -> Judgement | None:
     left, right = question.left, question.right
     if not (isinstance(left, n.Rate) and left.dotted and isinstance(right, n.Derivative)):
         return None
-    if left.of != right.of or Letter("t") in right.by:
+    if left.of != right.of or CLOCK in right.by:
         return None
     by = ", ".join(map(in_words, right.by))
     return Outcome(DEFINITION, f"a dot is the derivative by {by}"), question.context

@@ -15,6 +15,7 @@ from sympy import Add, Expr, Symbol
 
 from rigidtop.judge.jets import TIME, jet_of, operations
 from rigidtop.judge.laws import highest
+from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.program import Array, Program, Steps, UnknownFunctionError
 from rigidtop.judge.worlds import Worlds, least
 from rigidtop.tree.nodes import Letter
@@ -108,7 +109,7 @@ def small_together(letters: frozenset[Letter], worlds: Worlds) -> Scaling | None
 
 def tending_to(letter: Letter, large: bool, worlds: Worlds) -> Scaling | None:
     """That a letter, or the time, becomes large or small."""
-    time = letter == Letter("t")
+    time = letter == CLOCK
     names = [
         x
         for x in worlds.letters

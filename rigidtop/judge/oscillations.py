@@ -12,15 +12,13 @@ from sympy import Expr, pi, sqrt
 from rigidtop.judge.context import LAW
 from rigidtop.judge.faults import multiple, slip
 from rigidtop.judge.jets import jets, symbol
+from rigidtop.judge.letters import FREQUENCIES, PERIODS
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.values import UnclearError
 from rigidtop.judge.worlds import Worlds
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
-
-FREQUENCIES, PERIODS = frozenset("ωΩνκnfw"), frozenset("TτP")
-"""Letters that a text takes for them where its words speak of an oscillation."""
 
 
 def with_meaning(question: Question, judgement: Judgement) -> Judgement:

@@ -10,9 +10,9 @@ from sympy import Add, Expr, Integral, MatrixBase, Piecewise, Rational, Symbol
 
 from rigidtop.judge import worlds
 from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, Definition
-from rigidtop.judge.context import TIME as CLOCK
 from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import Residual, residuals
+from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.meaning import Meant
 from rigidtop.judge.question import Pair, Path, Premises, Question
 from rigidtop.judge.sides import ZERO, letters_of, named, speaks_of

@@ -6,10 +6,10 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import replace
 
-from rigidtop.judge.context import PREMISE, SETTING, START, TIME, Constraint, Context
+from rigidtop.judge.context import PREMISE, SETTING, START, Constraint, Context
+from rigidtop.judge.letters import ANGLES, CLOCK, COORDINATES, is_mass
 from rigidtop.judge.sides import is_setting, letters_in, moving_in, named
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.starts import COORDINATES
 from rigidtop.read.phrases import Cue
 from rigidtop.tree.nodes import Derivative, Letter, Node, Number, Power, Rate, letters, mapped
 from rigidtop.tree.statement import Statement
@@ -38,7 +38,7 @@ def placed(statement: Statement, at: Situation, context: Context) -> list[Contex
     new = {x: replace(x, sub="") for x in letters_in(statement) if x.sub and x not in known}
     counts = Counter(new.values())
     for name, letter in sorted(new.items(), key=str):
-        if counts[letter] > 1 or letter not in context.letters | {TIME}:
+        if counts[letter] > 1 or letter not in context.letters | {CLOCK}:
             continue
         if at.begins and name.sub != "0":
             continue
@@ -56,8 +56,8 @@ def placed(statement: Statement, at: Situation, context: Context) -> list[Contex
 
 def alike(at: Situation, context: Context) -> Context | None:
     """What is known where two masses are equal, in one sentence; None if words do not say so."""
-    masses = sorted((x for x in context.letters if x.base in "mM" and not x.bold), key=str)
-    masses = [x for x in masses if x not in context.definitions]
+    free = context.letters - context.definitions.keys()
+    masses = sorted(filter(is_mass, free), key=str)
     if Cue.EQUAL_MASSES not in at.cues or len(masses) != 2:
         return None
     one, other = masses
@@ -110,12 +110,9 @@ def begun(statement: Statement, at: Situation, context: Context) -> Context | No
     if len(new) != 1 or len(free) != 1 or given:
         return None
     [name], [letter] = new, free
-    if (name.base in _ANGLES) != (letter.base in _ANGLES):
+    if (name.base in ANGLES) != (letter.base in ANGLES):
         return None
     return context.holding(Constraint(letter, name, at.number, PREMISE, at.scope, START))
-
-
-_ANGLES = frozenset("αβγδθφψϑϕχ")
 
 
 def _zeros(statement: Statement, at: Situation, context: Context) -> list[Node]:

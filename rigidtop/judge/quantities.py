@@ -17,12 +17,23 @@ from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import SETTING, Constraint, Context
 from rigidtop.judge.faults import slip
 from rigidtop.judge.jets import TIME, jet_of, jets
+from rigidtop.judge.letters import (
+    ANGLES,
+    CLOCK,
+    COORDINATES,
+    PERIODS,
+    PLACES,
+    SPEED,
+    SPEEDS,
+    TURNING,
+    VELOCITIES,
+    is_mass,
+)
 from rigidtop.judge.meaning import Meant
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.program import Program, UnknownFunctionError
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.sides import ZERO, named, own_letters
-from rigidtop.judge.starts import COORDINATES, PLACES, SPEED, SPEEDS
 from rigidtop.judge.values import UnclearError
 from rigidtop.judge.worlds import symbols_of
 from rigidtop.tree import nodes as n
@@ -30,7 +41,6 @@ from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
 
-_CLOCK = Letter("t")
 _SQUARE = n.Number("2")
 _KINETIC, _POTENTIAL = Letter("T"), Letter("V")
 _TOTALS = tuple(map(Letter, "EHL"))
@@ -94,13 +104,13 @@ def _quantities(question: Question, letter: Letter) -> Iterator[Quantity]:
         return
     if letter.base == "a":
         yield from _accelerations(question)
-    if letter.base in "vwucV":
+    if letter.base in VELOCITIES | {"c"}:
         yield from _speeds(question, letter)
     if letter.base in "tτ" or (letter.base == "T" and letter.sub.isdigit()):
         yield from _zeros(question)
-    if letter.base in "τTP":
+    if letter.base in PERIODS:
         yield from _turns(question)
-    if letter.base in "Ωωwn":
+    if letter.base in _TURNS:
         yield from _rates(question)
     if letter == _KINETIC:
         yield from _kinetic(question)
@@ -129,7 +139,7 @@ def _accelerations(question: Question) -> Iterator[Quantity]:
         [place] = places
         way = Constraint(n.Rate(place, 1, True), SPEED, question.at.number, SUPPOSED)
         driven = n.letters(context.definitions[SPEED].node) if SPEED in context.definitions else ()
-        turning = {x for x in driven if x.base in "ωΩw"}
+        turning = {x for x in driven if x.base in TURNING}
         moving = context.habits.moving | {place, SPEED, *turning}
         known = replace(context, habits=replace(context.habits, moving=moving)).holding(way)
         yield Quantity("the acceleration", n.Rate(SPEED, 1, True), known)
@@ -169,9 +179,7 @@ def _speed(question: Question) -> Node | None:
     if kinetic is None:
         return None
     masses = [
-        x
-        for x in symbols_of([kinetic])
-        if (jet := jet_of(x)) is not None and jet.letter.base in "mM"
+        x for x in symbols_of([kinetic]) if (jet := jet_of(x)) is not None and is_mass(jet.letter)
     ]
     if len(masses) != 1 or kinetic.diff(masses[0]).has(masses[0]):
         return None
@@ -200,13 +208,14 @@ def _with_momenta(question: Question, letter: Letter) -> Expr:
     return meaning.with_(held=momenta).scalar(node)
 
 
-_ANGLES = frozenset("θφψαβϑϕχ")
+_TURNS = TURNING | {"n"}
+"""Letters of how fast something turns, and of how often."""
 
 
 def _rates(question: Question) -> Iterator[Quantity]:
     """How fast an angle changes."""
     for x in sorted(question.moving, key=str):
-        if x.base in _ANGLES and not x.bold:
+        if x.base in ANGLES and not x.bold:
             yield Quantity(f"the rate of {in_words(x)}", n.Rate(x, 1, True))
 
 
@@ -214,7 +223,7 @@ def _turns(question: Question) -> Iterator[Quantity]:
     """How long a turn takes at a rate that is known."""
     turn = n.Product((n.Number("2"), Letter("π")))
     for x in sorted(question.context.letters, key=str):
-        if x.base in "ωΩwn" and not x.bold:
+        if x.base in _TURNS and not x.bold:
             yield Quantity("the time of a turn", n.Quotient(turn, x))
     for each in _rates(question):
         assert each.node is not None
@@ -240,9 +249,7 @@ def _kinetic(question: Question) -> Iterator[Quantity]:
 
 def _masses(question: Question) -> list[Letter]:
     """The masses in the right side."""
-    return sorted(
-        (x for x in own_letters(question.right) if x.base in "mM" and not x.bold), key=str
-    )
+    return sorted(filter(is_mass, own_letters(question.right)), key=str)
 
 
 def _places_of(mass: Letter, context: Context) -> list[Letter]:
@@ -314,15 +321,15 @@ def _zeros(question: Question) -> Iterator[Quantity]:
 
 def _at_a_time(context: Context, letter: Letter) -> Iterator[Quantity]:
     """What is given in time at a moment t₁ that has the same index, or at the latest one."""
-    same = Letter("t", letter.sub) if letter.sub else None
+    same = replace(CLOCK, sub=letter.sub) if letter.sub else None
     latest = [x for x in context.instants.values() if x is not None and x != ZERO]
     for time in (same if same in context.definitions else None, *latest[-1:]):
         for x in sorted(context.definitions, key=str):
             own = x.base == letter.base or time is not same
             if time is not None and own and x != letter and x.base in COORDINATES | SPEEDS:
-                yield Quantity(f"{in_words(x)} at that time", n.At(x, _CLOCK, time))
+                yield Quantity(f"{in_words(x)} at that time", n.At(x, CLOCK, time))
             if time is not None and letter.base == SPEED.base and x.base in PLACES:
-                way = n.Absolute(n.At(n.Rate(x, 1, True), _CLOCK, time))
+                way = n.Absolute(n.At(n.Rate(x, 1, True), CLOCK, time))
                 yield Quantity(f"the rate of {in_words(x)} at that time", way)
 
 
@@ -350,7 +357,7 @@ def _extremes(question: Question, letter: Letter) -> Iterator[Quantity]:
 
 def _runs(value: Expr, question: Question) -> list[Symbol]:
     """What a value changes with: the time, or an angle."""
-    angles = (x for x, jet in jets(value).items() if jet.letter.base in "θφψαϑϕ" and not jet.order)
+    angles = (x for x, jet in jets(value).items() if jet.letter.base in ANGLES and not jet.order)
     return [TIME] if value.has(TIME) else sorted(angles, key=str)
 
 

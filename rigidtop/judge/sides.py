@@ -9,6 +9,7 @@ from sympy import Expr, MatrixBase
 from sympy.core.function import AppliedUndef
 
 from rigidtop.judge.jets import jets
+from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.names import function_name
 from rigidtop.judge.values import Value
 from rigidtop.tree import nodes as n
@@ -20,7 +21,6 @@ NEARLY = ("≈", "∼")
 CONDITIONS = ("≠", "<", ">", "≤", "≥", "≪", "≫")
 
 ZERO = n.Number("0")
-TIME = Letter("t")
 
 # --- Letters -------------------------------------------------------------------------------------
 
@@ -34,13 +34,13 @@ def named(node: Node) -> tuple[Letter | None, tuple[Node, ...]]:
     if isinstance(node, n.Call) and isinstance(node.function, Letter):
         simple = all(isinstance(n.ungrouped(x), (Letter, n.Rate)) for x in node.places)
         if simple:
-            return node.function, () if node.places == (Letter("t"),) else node.places
+            return node.function, () if node.places == (CLOCK,) else node.places
     return None, ()
 
 
 def own_letters(node: Node) -> frozenset[Letter]:
     """The letters of a side but for π and the time."""
-    return n.letters(node) - {Letter("π"), Letter("t")}
+    return n.letters(node) - {Letter("π"), CLOCK}
 
 
 def letters_in(statement: Statement) -> frozenset[Letter]:
@@ -60,7 +60,7 @@ def entries(value: Value) -> list[Expr]:
 
 def moving_in(statement: Statement) -> frozenset[Letter]:
     """The letters of which a statement says how they move, if it says more than what a rate is."""
-    if isinstance(statement.sides[0], Letter) and TIME in n.letters(statement.sides[-1]):
+    if isinstance(statement.sides[0], Letter) and CLOCK in n.letters(statement.sides[-1]):
         return frozenset(statement.sides[:1])  # type: ignore[arg-type]
     if is_setting(statement.sides[0], statement.sides[-1], ()):
         return frozenset()

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rigidtop.judge.context import PREMISE, SETTING, START, TIME, Constraint, Context
+from rigidtop.judge.context import PREMISE, SETTING, START, Constraint, Context
+from rigidtop.judge.letters import CLOCK, COORDINATES, PLACES, SPEED, SPEEDS
 from rigidtop.judge.sides import letters_in
 from rigidtop.tree.nodes import (
     Derivative,
@@ -20,11 +21,6 @@ from rigidtop.tree.nodes import (
 )
 from rigidtop.tree.statement import Statement
 
-COORDINATES = frozenset("xyzrsqhuwldℓηξζθφψαβγδχρσ")
-SPEEDS = frozenset("vω")
-"""What these letters stand for where something has a rate: places and angles, and how fast."""
-PLACES = frozenset("xyzshd")
-SPEED = Letter("v")
 _TOTALS = (Letter("E"), Letter("ℰ"))
 """Letters of the whole energy."""
 _EULER = frozenset({Letter("φ"), Letter("θ"), Letter("ψ")})
@@ -90,7 +86,7 @@ def with_force(statement: Statement, context: Context, number: int) -> Context |
 def _with_speed(statement: Statement, context: Context, number: int) -> Context:
     """What is known where a place is given in time, and only how fast it changes is known."""
     place, *others = statement.sides
-    timed = any(TIME in letters(x) for x in others)
+    timed = any(CLOCK in letters(x) for x in others)
     if place not in context.habits.moving & {*map(Letter, PLACES)} or not timed:
         return context
     way = Rate(place, 1, True)

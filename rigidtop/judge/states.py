@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from rigidtop.judge.context import SETTING, Constraint, Context, Definition
 from rigidtop.judge.laws import LAGRANGIANS
+from rigidtop.judge.letters import SPEEDS, TURNING
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.starts import SPEEDS
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Number, Rate
 from rigidtop.tree.statement import Statement
@@ -46,7 +46,7 @@ def _has_speed(node: n.Node, known: Mapping[Letter, Definition]) -> bool:
         return True
     names = [x for x in nodes if isinstance(x, Letter)]
     inner = (known[x].node for x in names if x in known and known[x].node is not node)
-    return any(x.base in SPEEDS | {"Ω", "u", "w"} for x in names) or any(
+    return any(x.base in SPEEDS | TURNING | {"u"} for x in names) or any(
         _has_speed(x, {y: d for y, d in known.items() if d.node is not x}) for x in inner
     )
 

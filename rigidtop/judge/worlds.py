@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from sympy import Expr, Rational, Symbol
 
 from rigidtop.judge.jets import Jet, jet_of, symbols
+from rigidtop.judge.letters import VELOCITIES
 from rigidtop.judge.program import Array, Program, Steps, UnknownFunctionError
 from rigidtop.tree.nodes import Letter
 
@@ -336,7 +337,7 @@ def _starts(letters: Sequence[Symbol], seed: int) -> Array:
 def _may_be_negative(x: Symbol) -> bool:
     """Whether it is a speed by its name."""
     jet = jet_of(x)
-    return jet is not None and not jet.order and jet.letter.base in "uvwV"
+    return jet is not None and not jet.order and jet.letter.base in VELOCITIES
 
 
 def _order(x: Symbol) -> int:

@@ -6,6 +6,7 @@ import sympy
 from sympy import Expr
 
 from rigidtop.judge.jets import TIME, jet_of
+from rigidtop.judge.letters import CLOCK
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 
@@ -35,7 +36,7 @@ def written(expression: Expr) -> Node:
 
 def _letter(x: sympy.Symbol) -> Node:
     if x == TIME:
-        return Letter("t")
+        return CLOCK
     jet = jet_of(x)
     if jet is None:
         return Letter("…")

@@ -92,3 +92,17 @@ def test_a_slope_follows_from_others_of_the_same_field():
     assert judged(WIND + SLOPE)[-1].outcome.verdict == "sampled"
     wrong = judged(WIND + SLOPE.replace("+", "-"))[-1].outcome
     assert (wrong.verdict, wrong.passed) == ("premise", None)
+
+
+@pytest.mark.parametrize("angle", [r"\varphi", r"\delta"])
+def test_a_torque_is_greatest_at_some_angle_whatever_that_is_called(angle):
+    text = rf"$$ B = m g l\cos{angle}. $$ At most it is $$ B_{{\max}} = m g l $$"
+    outcome = judged(text)[-1].outcome
+    assert (outcome.passed, outcome.why) == (True, "it is an extreme value of B")
+
+
+@pytest.mark.parametrize("angle", [r"\varphi", r"\psi"])
+def test_an_angle_goes_with_an_action_whatever_it_is_called(angle):
+    functions = rf"$$ f = I^2\cos{angle}, \qquad h = {angle} I. $$"
+    text = rf"{functions} $$ \{{f, h\}} = -I^2{angle}\sin{angle} - 2I^2\cos{angle} $$"
+    assert judged(text)[-1].outcome.passed
