@@ -70,25 +70,27 @@ def tending(question: Question) -> Judgement:
         limit = Limit(left, right == INFINITY, question.at.sentence)
         return Outcome(PREMISE, "a limit"), replace(context, limits=(*context.limits, limit))
     match left, right:
-        case Letter(), Letter() if not limits and left not in context.definitions:
-            if question.at.inline:
-                return Outcome(PREMISE, "a limit"), _approaching(question, left, right)
+        case Letter(), Letter() if (
+            question.at.inline and not limits and left not in context.definitions
+        ):
+            return Outcome(PREMISE, "a limit"), _approaching(question, left, right)
     if not limits:
         raise UnclearError("it is not said for what it tends there")
     return judged(question)
 
 
 def limited(statement: Statement, at: Situation, context: Context) -> tuple[Statement, Context]:
-    """lim v = c as v → c, where it is said to what a letter tends; as it is if that is unclear."""
-    limit = statement.sides[0]
-    match limit:
-        case n.Limit(of, Letter() as letter, place) if statement.relations[:1] == ("=",):
-            if place in (INFINITY, ZERO):
-                small = Limit(letter, place == INFINITY, at.sentence)
-                known = replace(context, limits=(*context.limits, small))
-                sides = (of, *statement.sides[1:])
-                relations = ("→", *statement.relations[1:])
-                return replace(statement, sides=sides, relations=relations), known
+    """lim v = c as v → c, where a letter tends to zero or to infinity; all else as it is.
+
+    To what the letter tends is known in the sentence then.
+    """
+    match statement:
+        case Statement((n.Limit(of, Letter() as letter, place), *others), ("=", *links)) if (
+            place in (INFINITY, ZERO)
+        ):
+            limit = Limit(letter, place == INFINITY, at.sentence)
+            context = replace(context, limits=(*context.limits, limit))
+            statement = replace(statement, sides=(of, *others), relations=("→", *links))
     return statement, context
 
 
@@ -172,7 +174,11 @@ def _nearly_root(question: Question) -> Outcome | None:
 
 
 def near_slip(question: Question) -> Slip | None:
-    """The one change with which the sides become alike as what is said to be large is so."""
+    """The one change with which the sides become alike where something is small, or large.
+
+    If words of its own say that something is large, that alone is tried, and not what was said
+    before to be small.
+    """
     at = question.at
     if at.large and Cue.SMALL not in at.cues:
         question = replace(question, at=replace(at, cues=at.cues - {Cue.APPROXIMATED}))

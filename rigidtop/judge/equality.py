@@ -27,7 +27,7 @@ from rigidtop.judge.counterexample import refuted
 from rigidtop.judge.faults import NUMBERS
 from rigidtop.judge.jets import rate
 from rigidtop.judge.laws import LAGRANGIANS, hamilton, lagrange
-from rigidtop.judge.numbers import are_numbers, compared
+from rigidtop.judge.numbers import A_MINUTE, are_numbers, compared
 from rigidtop.judge.outcome import ASSUMING, DEFINITION, FALSE, PREMISE, SAMPLED, UNDECIDED, Outcome
 from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.question import Judgement, Pair, Question
@@ -130,7 +130,7 @@ def _numbers(question: Question) -> Judgement:
         if not any(own_letters(side) & known for side in others):
             return Outcome(PREMISE, "a constant"), question.context
     outcome = compared(*sides, meant, question.rests_on_meaning)
-    if outcome.why and outcome.passed and isinstance(question.context.head, Letter):
+    if outcome.why == A_MINUTE and isinstance(question.context.head, Letter):
         head, at = question.context.head, question.at  # what it says of it is the number
         number = Definition(question.right, at.number, at.scope)
         return outcome, question.context.defining(head, number)

@@ -74,8 +74,7 @@ class Judge:
 
     def judged(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
         """What becomes of a statement, and what is known after it."""
-        if isinstance(statement.sides[0], n.Limit):
-            statement, context = approximations.limited(statement, situation, context)
+        statement, context = approximations.limited(statement, situation, context)
         context = context.moved(moving_in(statement))
         if situation.another:
             context = replace(context, another=situation.number)

@@ -301,7 +301,10 @@ class Meaning:
         return value
 
     def _form(self, function: Letter, places: Sequence[Node]) -> Value:
-        """What a function is, in the form in which its places stand if there is one."""
+        """What a function is, written in its places where a text has written it so.
+
+        Of L = p²/2μr², which was found to be ½ p φ̇, that is the form for L(r).
+        """
         definition, numbers = self.definition(function), {self.scalar(x) for x in places}
         assert definition is not None
         for node in (definition.node, *definition.also):
@@ -373,7 +376,10 @@ class Meaning:
         return any(isinstance(x, n.Rate) for x in n.walked(of))
 
     def _is_along(self, value: Value, place: Expr) -> bool:
-        """Whether a place that moves is written in others alone than the one it is taken by."""
+        """Whether what moves is taken along the motion: u = 1/r by φ, which is not written in it.
+
+        It is no function of φ but on an orbit, on which it is u̇/φ̇.
+        """
         if isinstance(value, MatrixBase) or value.is_Symbol or value.has(TIME):
             return False
         found = jets(value)

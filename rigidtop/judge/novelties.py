@@ -8,14 +8,15 @@ from dataclasses import replace
 from sympy import Basic, Expr, Symbol
 
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import FORCED, LAW, PREMISE, RULE, SETTING, Definition
+from rigidtop.judge.context import FORCED, LAW, RULE, SETTING, Definition
+from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.faults import is_worked_out, slip
 from rigidtop.judge.jets import TIME, jet_of, jets, rate
 from rigidtop.judge.laws import LAGRANGIANS, highest, is_any, lagrange
 from rigidtop.judge.letters import CLOCK, FREQUENCIES
 from rigidtop.judge.meaning import Meant
 from rigidtop.judge.names import is_component, is_vector
-from rigidtop.judge.outcome import DEFINITION, SAMPLED, Outcome
+from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes
 from rigidtop.judge.sides import ZERO, letters_of, own_letters
@@ -33,18 +34,18 @@ def letters(question: Question) -> Judgement | None:
     new, context = question.new_letters, question.context
     if new and is_worked_out(question) and not question.moves(*question.gaps):
         return None  # it holds whatever they are
-    kind = SETTING if question.at.supposed or question.at.balanced else PREMISE
+    kind = SETTING if question.at.supposed or question.at.balanced else SUPPOSED
     if new and _are_zero(question, new, kind):
         return None
     if not new:
         if not _brings_a_function(question):
             return None
-        outcome = Outcome("premise", "it brings a function", question.rests_on_meaning)
+        outcome = Outcome(PREMISE, "it brings a function", question.rests_on_meaning)
         return outcome, context.holding(question.constraint(kind))
     if len(new) == 1 and _rate_follows(question, new[0]) and _begins_so(question, new[0]):
         words = f"{in_words(new[0])} is a constant of integration"
         outcome = Outcome(SAMPLED, words, question.rests_on)
-        return outcome, context.holding(question.constraint(PREMISE))
+        return outcome, context.holding(question.constraint(SUPPOSED))
     mistaken = new[0] not in question.at.declared and not question.at.anew
     if len(new) == 1 and mistaken and not _names(question, new):
         wrong = slip(question, letter=new[0])
@@ -97,7 +98,7 @@ def brings(question: Question, new: Sequence[Letter]) -> Outcome:
     words = ", ".join(map(in_words, new))
     names = frozenset(map(in_words, new))
     ties = len(new) > 1 and isinstance(question.left, n.Quotient)  # a ratio names nothing
-    outcome = Outcome("premise", f"it brings {words}", question.rests_on_meaning, brings=names)
+    outcome = Outcome(PREMISE, f"it brings {words}", question.rests_on_meaning, brings=names)
     return replace(outcome, restricts=ties)
 
 
@@ -212,7 +213,7 @@ def law(question: Question) -> Judgement | None:
     free = highest([*question.gaps, *question.equations])
     if not free or not fixes(question, free):
         return None
-    outcome = Outcome("premise", "it is taken as it stands", question.rests_on_meaning)
+    outcome = Outcome(PREMISE, "it is taken as it stands", question.rests_on_meaning)
     return outcome, question.context.holding(question.constraint(LAW))
 
 
@@ -238,7 +239,7 @@ def force(question: Question) -> Judgement | None:
     if more or right == 0 or not any((left - x.expression).expand() == 0 for x in laws):
         return None
     new = question.new_letters
-    outcome = Outcome("premise", "it brings a force", question.rests_on_meaning)
+    outcome = Outcome(PREMISE, "it brings a force", question.rests_on_meaning)
     outcome = brings(question, new) if new else outcome
     return outcome, question.context.holding(question.constraint(FORCED))
 
@@ -281,7 +282,7 @@ def value(question: Question) -> Judgement | None:
     rates = any(jet.order for gap in question.gaps for jet in jets(gap).values())
     # What ties rates, as rolling does, stays, and so do the equations of a list.
     passed = at.inline and not rates and not (at.scope and at.scope[-1] < 0)
-    kind = SETTING if passed or at.balanced else PREMISE
+    kind = SETTING if passed or at.balanced else SUPPOSED
     return outcome, context.holding(question.constraint(kind))
 
 
@@ -302,7 +303,7 @@ def _free_in_premises(question: Question) -> list[Symbol]:
     spoken: set[Basic] = set()
     other: set[Basic] = set()
     for each in question.pool:
-        (spoken if each.kind == PREMISE else other).update(each.expression.free_symbols)
+        (spoken if each.kind == SUPPOSED else other).update(each.expression.free_symbols)
     definitions = question.context.definitions.values()
     named = frozenset().union(*(n.letters(d.node) for d in definitions))
     return [

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from decimal import Decimal
 from itertools import pairwise
+from math import inf
 
 import sympy
-from sympy import Expr, Rational
+from sympy import Expr, Symbol
 
 from rigidtop.judge.jets import TIME, jets
 from rigidtop.judge.outcome import FALSE, SAMPLED, UNDECIDED, Outcome
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex
-from rigidtop.tree.nodes import Node
+from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
 
 
@@ -25,14 +26,16 @@ def are_numbers(left: Expr, right: Expr) -> bool:
     )
 
 
-def agree(left: Expr, right: Expr, digits: float) -> bool | None:
-    """Whether two numbers agree up to a share of them; None where their units do not fit."""
+A_MINUTE = "with the number of turns a minute"
+"""Why sides agree of which one is 60 times the other one by what is written."""
+
+
+def _ratio(left: Expr, right: Expr) -> complex | None:
+    """How many times as large the left number is; None where the units of both do not fit."""
     if right == 0 or left == 0:
-        return bool(sympy.N(left - right) == 0)
+        return 1 if sympy.N(left - right) == 0 else inf
     ratio = sympy.simplify(left / right)
-    if ratio.free_symbols:
-        return None
-    return bool(abs(complex(sympy.N(ratio)) - 1) <= digits)
+    return None if ratio.free_symbols else complex(sympy.N(ratio))
 
 
 def compared(
@@ -44,31 +47,32 @@ def compared(
 ) -> Outcome:
     """Whether both sides, which mean numbers, agree to the digits with which they are written."""
     digits = max(share(left, nearly), share(right, nearly), 1e-12)
-    answers = [agree(*pair, digits) for pair in meant]
-    if all(answers):
-        return Outcome(SAMPLED, "", rests_on)
-    if in_minutes(left, right, meant, digits):
-        return Outcome(SAMPLED, "with the number of turns a minute", rests_on)
-    if None in answers:
+    ratios = [_ratio(*pair) for pair in meant]
+    known = [x for x in ratios if x is not None]
+    if len(known) < len(ratios):
         return Outcome(UNDECIDED, "the units of both sides do not fit", rests_on)
+
+    def are(factor: float) -> bool:
+        return all(abs(x / factor - 1) <= digits for x in known)
+
+    if are(1):
+        return Outcome(SAMPLED, "", rests_on)
+    if _counts_minutes(left, right, meant) and (are(60) or are(1 / 60)):
+        return Outcome(SAMPLED, A_MINUTE, rests_on)
     value = _like(*meant[0], right)
     why = f"the left side is {in_words(value)}"
     return Outcome(FALSE, why, rests_on, "another number", f"{latex(left)} ≈ {latex(value)}")
 
 
-def in_minutes(left: Node, right: Node, meant: Sequence[tuple[Expr, Expr]], digits: float) -> bool:
-    """Whether a number of turns a minute stands for itself beside a 60: ω = 2π n/60."""
-    sixty = any(x == n.Number("60") for side in (left, right) for x in n.walked(side))
-    ratios = (sympy.simplify(a / b) for a, b in meant if a != 0 != b)
-    turned = [x for x in ratios if not x.free_symbols]
-    return (
-        sixty
-        and bool(turned)
-        and all(
-            any(abs(complex(sympy.N(x * f)) - 1) <= digits for f in (60, Rational(1, 60)))
-            for x in turned
-        )
-    )
+def _counts_minutes(left: Node, right: Node, meant: Sequence[tuple[Expr, Expr]]) -> bool:
+    """Whether turns a minute may be put in as they stand: n in 2π n/60 or in π n/30."""
+    formulas = [x for x in (left, right) if n.letters(x) - {Letter("π")}]
+    numbers = (x for side in formulas for x in n.walked(side) if isinstance(x, n.Number))
+    in_seconds = all(x.free_symbols == {_SECOND} for pair in meant for x in pair)
+    return in_seconds and any(x.value in (30, 60) for x in numbers)
+
+
+_SECOND = Symbol("unit s", positive=True)
 
 
 def _like(value: Expr, other: Expr, like: Node) -> Node:

@@ -32,7 +32,7 @@ from rigidtop.judge.letters import (
 from rigidtop.judge.meaning import Meant
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.program import Program, UnknownFunctionError
-from rigidtop.judge.question import Judgement, Pair, Question
+from rigidtop.judge.question import Judgement, Question
 from rigidtop.judge.sides import ZERO, named, own_letters
 from rigidtop.judge.values import UnclearError
 from rigidtop.judge.worlds import symbols_of
@@ -50,15 +50,11 @@ _EXTREMES = ("max", "min", "top", "1", "2")
 
 @dataclass(frozen=True, eq=False)
 class Quantity:
-    """Something that a letter may name, in `words`, where `context` is known, at an `instant`.
-
-    It is a formula, or two expressions have to be equal: a pair of sides.
-    """
+    """A formula that a letter may name, in `words`, where `context` is known, at an `instant`."""
 
     words: str
-    node: Node | None = None
+    node: Node
     context: Context | None = None
-    pair: Pair | None = None
     instant: str = ""
 
 
@@ -90,9 +86,6 @@ def _asked(question: Question, letter: Letter, quantity: Quantity) -> Question:
     if quantity.instant:
         at = replace(question.at, instant=quantity.instant)
         question = replace(question, at=at, premises=replace(question.premises, instant=at.instant))
-    if quantity.pair is not None:
-        return question.within(context).of([quantity.pair])
-    assert quantity.node is not None
     power = isinstance(question.left, n.Power)
     left = n.replaced(question.left, letter, quantity.node) if power else quantity.node
     return replace(question.within(context), left=left, asked=None)
@@ -226,7 +219,6 @@ def _turns(question: Question) -> Iterator[Quantity]:
         if x.base in _TURNS and not x.bold:
             yield Quantity("the time of a turn", n.Quotient(turn, x))
     for each in _rates(question):
-        assert each.node is not None
         yield Quantity("the time of a turn", n.Quotient(turn, each.node))
 
 
@@ -304,19 +296,21 @@ def _written_places(question: Question) -> list[Letter]:
 
 
 def _zeros(question: Question) -> Iterator[Quantity]:
-    """When something that is given in time, or its rate, vanishes."""
+    """A time at which something that is given in time, or its rate, vanishes."""
+    if isinstance(question.left, n.Power):
+        return
     for x in sorted(question.context.definitions, key=str):
         if x.base not in COORDINATES | SPEEDS:
             continue
-        with suppress(UnclearError):
+        with suppress(UnclearError, UnknownFunctionError):
             value = question.meaning().value(x)
             when = question.meaning().scalar(question.right)
-            if isinstance(value, MatrixBase) or not value.has(TIME):
+            if isinstance(value, MatrixBase):
                 continue
-            for gap in (value, value.diff(TIME)):
-                there = gap.subs(TIME, when)
-                if gap.has(TIME) and not isinstance(question.left, n.Power):
-                    yield Quantity(f"when {in_words(x)} vanishes", pair=(there, Integer(0)))
+            for given in (value, value.diff(TIME)):
+                there = question.of([(given.subs(TIME, when), Integer(0))])
+                if given.has(TIME) and there.worlds.count and there.holds():
+                    yield Quantity(f"when {in_words(x)} vanishes", Meant(when))
 
 
 def _at_a_time(context: Context, letter: Letter) -> Iterator[Quantity]:
@@ -351,7 +345,7 @@ def _extremes(question: Question, letter: Letter) -> Iterator[Quantity]:
         for x in _runs(value, question):
             if not right.has(x) and _is_extreme(value, right, x):
                 words = f"an extreme value of {in_words(base)}"
-                yield Quantity(words, pair=(right, right))
+                yield Quantity(words, Meant(right))
                 return
 
 

@@ -43,9 +43,13 @@ def setting(question: Question) -> Judgement | None:
         known = replace(context, not_zero=(), constraints=kept).holding(set_here)
         if question.of(question.both, known).worlds.count:
             return outcome, known
-    if question.at.closed and question.at.instant and question.left in question.moving:
-        return outcome, context  # where the coordinates have no meaning, as angles at the pole
-    return None
+    if not (question.at.closed and question.at.instant and question.left in question.moving):
+        return None
+    # Where coordinates have no meaning, as angles at the pole, what holds at other times says
+    # nothing: only what is known of the instant itself may contradict it.
+    there = tuple(c for c in context.constraints if c.instant == question.at.instant)
+    known = replace(context, constraints=there, lawless=True).holding(set_here)
+    return (outcome, context) if question.of(question.both, known).worlds.count else None
 
 
 def _with_results(context: Context) -> Context:

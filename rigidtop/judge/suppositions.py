@@ -41,30 +41,38 @@ def suppositions(
     statement: Statement, at: Situation, context: Context, memory: Memory, is_open: bool
 ) -> Iterator[Supposition]:
     """What may be meant with a statement that does not follow; it may be wrong unless `is_open`."""
+    for each in _possible(statement, at, context, memory, is_open):
+        if each.context is not context or each.statement is not statement:
+            yield each
 
-    def supposed(known: Context | None, **more: object) -> Iterator[Supposition]:
-        if known is not None and known is not context:
-            yield Supposition(statement, at, known, **more)  # type: ignore[arg-type]
 
+def _possible(
+    statement: Statement, at: Situation, context: Context, memory: Memory, is_open: bool
+) -> Iterator[Supposition]:
+    """The same, with the context as it is where there is nothing to suppose."""
     if not at.inline:
-        written = letters_in(statement) - {statement.sides[0]}
-        yield from supposed(context.without_cases(written), lasts=True)
-    yield from supposed(states.stated(statement, at, context), tells=True)
-    yield from supposed(places.alike(at, context), lasts=True, tells=True)
-    yield from supposed(_with_gravity(statement, at, context), words="with g = 9.81 m/s²")
+        general = context.without_cases(letters_in(statement) - {statement.sides[0]})
+        yield Supposition(statement, at, general, lasts=True)
+    stated = states.stated(statement, at, context)
+    yield Supposition(statement, at, stated or context, tells=True)
+    alike = places.alike(at, context)
+    yield Supposition(statement, at, alike or context, lasts=True, tells=True)
+    weighed = _with_gravity(statement, at, context)
+    yield Supposition(statement, at, weighed or context, words="with g = 9.81 m/s²")
     begun = places.begun(statement, at, context)
     if begun is not None:
-        yield from supposed(with_energy(begun, at.number, at.scope), lasts=True)
+        yield Supposition(statement, at, with_energy(begun, at.number, at.scope), lasts=True)
     if _accelerates(statement):
         lawless = not any(x in context.definitions for x in LAGRANGIANS)
         if is_open and lawless and not (at.inline or at.instant):
             conserved = with_energy(context, at.number, at.scope)
-            yield from supposed(conserved, lasts=True, tells=at.derived)
+            yield Supposition(statement, at, conserved, lasts=True, tells=at.derived)
         beside = neighbours.beside(statement, at, context, memory)
-        if beside is not None:
-            yield Supposition(statement, at.hearing(Cue.SMALL), beside)
-        yield from supposed(with_acceleration(context, at.number), lasts=True, tells=True)
-        yield from supposed(with_force(statement, context, at.number), lasts=True, tells=True)
+        yield Supposition(statement, at.hearing(Cue.SMALL), beside or context)
+        moved = with_acceleration(context, at.number)
+        yield Supposition(statement, at, moved or context, lasts=True, tells=True)
+        forced = with_force(statement, context, at.number)
+        yield Supposition(statement, at, forced or context, lasts=True, tells=True)
     for there in places.placed(statement, at, context):
         changed = places.with_rates(statement, context)
         yield Supposition(changed, at, there, tells=True)

@@ -171,6 +171,21 @@ STEPS = {
         r"$$\omega = \frac{2\pi n}{60} = 188.5\ \mathrm{s^{-1}}$$",
         r"$$\omega = \frac{2\pi n}{60} = 377\ \mathrm{s^{-1}}$$",
     ),
+    "turns a minute over 30": (
+        r"$n = 1800\ \mathrm{min^{-1}}$" "\n",
+        r"$$\omega = \frac{\pi n}{30} = 188.5\ \mathrm{s^{-1}}$$",
+        r"$$\omega = \frac{\pi n}{30} = 377\ \mathrm{s^{-1}}$$",
+    ),
+    "metres a minute": (
+        r"$s = 60\ \mathrm{m}$ and $t = 1\ \mathrm{min}$" "\n",
+        r"$$v = \frac st = 1\ \mathrm{m/s}$$",
+        r"$$v = \frac st = 60\ \mathrm{m/s}$$",
+    ),
+    "a speed in minutes": (
+        "",
+        r"$$v = 60\ \mathrm{m/min} = 1\ \mathrm{m/s}$$",
+        r"$$v = 60\ \mathrm{m/min} = 60\ \mathrm{m/s}$$",
+    ),
     "thousands with thin spaces": (
         r"$r = 42\,164\ \mathrm{km}$ and $R = 6378\ \mathrm{km}$" "\n",
         r"$$r - R = 35\,786\ \mathrm{km}$$",

@@ -66,3 +66,12 @@ def test_the_command(tmp_path, capsys):
     assert "every line follows, and the derivation arrives" in capsys.readouterr().out
     assert main(["mark", str(answer), "--given", str(given), "--from", "1", "--to", GOAL]) == 2
     assert "--given FILE --to TEX" in capsys.readouterr().err
+
+
+def test_an_answer_may_not_give_a_start_two_values():
+    given = r"On a spring $L = \frac12 m\dot x^2 - \frac12 k x^2$."
+    starts = r"$$ x(0) = 3, \quad \dot x(0) = 1, \quad x(0) = {} $$ $$ m\ddot x = -k x $$"
+    task = task_of(given, r"m\ddot x = -k x")
+    assert mark(starts.format(3), task).passed
+    wrong = mark(starts.format(2), task).first_wrong
+    assert (wrong.said, wrong.slip) == ("x = 2", "3 in place of 2")
