@@ -11,13 +11,13 @@ from rigidtop.judge.context import RULE, Constraint, Context, Definition
 from rigidtop.judge.jets import TIME
 from rigidtop.judge.laws import ENERGIES
 from rigidtop.judge.letters import COORDINATES
-from rigidtop.judge.meaning import Meant
 from rigidtop.judge.names import is_vector
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import DEFINITION, Outcome
 from rigidtop.judge.question import Judgement, Question
 from rigidtop.judge.sides import letters_of, named, own_letters, speaks_of
 from rigidtop.judge.values import UnclearError, Value
+from rigidtop.judge.vocabulary import Meant
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words

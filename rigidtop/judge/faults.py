@@ -17,13 +17,14 @@ from rigidtop.judge import worlds as w
 from rigidtop.judge.context import Context, Definition, is_open
 from rigidtop.judge.jets import TIME, jet_of
 from rigidtop.judge.laws import highest
-from rigidtop.judge.meaning import Meaning, Meant
+from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import FALSE, Outcome
 from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.question import Pair, Question, paired
 from rigidtop.judge.sides import ZERO, entries, letters_of, named, own_letters
 from rigidtop.judge.slips import Change, changes, times
 from rigidtop.judge.values import UnclearError, plain
+from rigidtop.judge.vocabulary import Meant
 from rigidtop.judge.worlds import Worlds
 from rigidtop.judge.written import written
 from rigidtop.tree import nodes as n

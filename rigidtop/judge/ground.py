@@ -14,8 +14,10 @@ from rigidtop.judge.context import PREMISE, Constraint, Context, Definition, Hab
 from rigidtop.judge.jets import TIME, Jet, jets, symbol
 from rigidtop.judge.laws import Residual
 from rigidtop.judge.letters import CLOCK
-from rigidtop.judge.meaning import Meaning, Meant, Memory, particles
+from rigidtop.judge.meaning import Meaning
+from rigidtop.judge.particles import particles
 from rigidtop.judge.values import UnclearError, Value, pairs
+from rigidtop.judge.vocabulary import Meant, Memory
 from rigidtop.proof.moves import Condition, Scope
 from rigidtop.read.statements import statements
 from rigidtop.tree import nodes as n

@@ -13,7 +13,7 @@ from rigidtop.judge.context import SETTING, START, Constraint, Context, Definiti
 from rigidtop.judge.jets import jets
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
 from rigidtop.judge.letters import TURNING
-from rigidtop.judge.meaning import Meaning, Memory
+from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.names import is_component
 from rigidtop.judge.outcome import (
     DEFINITION,
@@ -42,6 +42,7 @@ from rigidtop.judge.sides import (
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.suppositions import suppositions
 from rigidtop.judge.values import UnclearError
+from rigidtop.judge.vocabulary import Memory
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words

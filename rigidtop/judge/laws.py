@@ -36,9 +36,11 @@ from rigidtop.judge.jets import (
     symbols,
 )
 from rigidtop.judge.letters import CLOCK
-from rigidtop.judge.meaning import Meaning, Memory, particles
+from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.names import is_vector
+from rigidtop.judge.particles import particles
 from rigidtop.judge.values import LARGEST, UnclearError, is_identity, pairs, plain
+from rigidtop.judge.vocabulary import Memory
 from rigidtop.tree.nodes import Derivative, Letter, Negative, Number, Rate, letters, mapped, walked
 
 MULTIPLIERS = frozenset({"λ", "μ", "Λ"})

@@ -10,10 +10,10 @@ from sympy import Expr
 from rigidtop.judge.context import SETTING, Constraint, Context
 from rigidtop.judge.jets import Jet, jets, rate, symbol
 from rigidtop.judge.laws import coordinates, lagrangian
-from rigidtop.judge.meaning import Meant, Memory
 from rigidtop.judge.sides import ZERO, letters_in
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.values import UnclearError
+from rigidtop.judge.vocabulary import Meant, Memory
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter
 from rigidtop.tree.statement import Statement

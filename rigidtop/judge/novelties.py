@@ -14,12 +14,12 @@ from rigidtop.judge.faults import is_worked_out, slip
 from rigidtop.judge.jets import TIME, jet_of, jets, rate
 from rigidtop.judge.laws import LAGRANGIANS, highest, is_any, lagrange
 from rigidtop.judge.letters import CLOCK, FREQUENCIES
-from rigidtop.judge.meaning import Meant
 from rigidtop.judge.names import is_component, is_vector
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes
 from rigidtop.judge.sides import ZERO, letters_of, own_letters
+from rigidtop.judge.vocabulary import Meant
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words

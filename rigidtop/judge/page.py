@@ -31,7 +31,6 @@ from rigidtop.judge.ground import (
 )
 from rigidtop.judge.jets import Jet, jet_of, jets, symbol, symbols
 from rigidtop.judge.laws import Residual, related, surrounding
-from rigidtop.judge.meaning import particles
 from rigidtop.judge.outcome import (
     DEFINITION,
     FALSE,
@@ -41,6 +40,7 @@ from rigidtop.judge.outcome import (
     UNREAD,
     Outcome,
 )
+from rigidtop.judge.particles import particles
 from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.spans import NoValueError, is_contradictory, span
 from rigidtop.judge.values import UnclearError, pairs, plain

@@ -13,10 +13,10 @@ from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, Defini
 from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import Residual, residuals
 from rigidtop.judge.letters import CLOCK
-from rigidtop.judge.meaning import Meant
 from rigidtop.judge.question import Pair, Path, Premises, Question
 from rigidtop.judge.sides import ZERO, letters_of, named, speaks_of
 from rigidtop.judge.values import plain
+from rigidtop.judge.vocabulary import Meant
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 

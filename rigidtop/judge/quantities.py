@@ -29,12 +29,12 @@ from rigidtop.judge.letters import (
     VELOCITIES,
     is_mass,
 )
-from rigidtop.judge.meaning import Meant
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.program import Program, UnknownFunctionError
 from rigidtop.judge.question import Judgement, Question
 from rigidtop.judge.sides import ZERO, named, own_letters
 from rigidtop.judge.values import UnclearError
+from rigidtop.judge.vocabulary import Meant
 from rigidtop.judge.worlds import symbols_of
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from rigidtop.judge import neighbours, places, states
 from rigidtop.judge.context import Context, Definition
 from rigidtop.judge.laws import LAGRANGIANS
-from rigidtop.judge.meaning import Memory
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import with_acceleration, with_energy, with_force
+from rigidtop.judge.vocabulary import Memory
 from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node, letters

@@ -9,11 +9,11 @@ from sympy import Expr, Float, Symbol
 
 from rigidtop.judge.context import Definition
 from rigidtop.judge.faults import ratio
-from rigidtop.judge.meaning import Meant
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.sides import own_letters
 from rigidtop.judge.values import UnclearError
+from rigidtop.judge.vocabulary import Meant
 from rigidtop.tree.nodes import Letter
 
 _STEPS, _NEAR, _ROUNDED = 40, 100, 1e-12

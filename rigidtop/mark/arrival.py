@@ -16,10 +16,11 @@ from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Rational, nan, zoo
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import Context, Habits
 from rigidtop.judge.jets import Jet, jets, rate, symbol
-from rigidtop.judge.meaning import Meaning, Meant, Memory
+from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.names import component_of
 from rigidtop.judge.sides import EQUALS, NEARLY, has_components
 from rigidtop.judge.values import UnclearError, pairs, plain
+from rigidtop.judge.vocabulary import Meant, Memory
 from rigidtop.mark.task import ALWAYS
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node

@@ -11,7 +11,7 @@ from sympy import Expr, ImmutableMatrix, MatrixBase, Symbol, eye
 
 from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Definition, Habits
 from rigidtop.judge.jets import TIME, Jet, jets, rate, symbol
-from rigidtop.judge.meaning import Meant
+from rigidtop.judge.vocabulary import Meant
 from rigidtop.proof.model import Model
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Symbol as Lettered

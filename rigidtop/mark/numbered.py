@@ -21,7 +21,6 @@ from rigidtop.judge.context import LAW, Constraint, Context, Definition
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.jets import Jet, symbol
 from rigidtop.judge.judge import Judge
-from rigidtop.judge.meaning import Meant
 from rigidtop.judge.outcome import (
     ASSUMING,
     FALSE,
@@ -34,6 +33,7 @@ from rigidtop.judge.outcome import (
 from rigidtop.judge.outcome import DEFINITION as DEFINED
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import Row, in_time
+from rigidtop.judge.vocabulary import Meant
 from rigidtop.mark.arrival import comes_to, is_trivial
 from rigidtop.mark.facts import GIVEN
 from rigidtop.mark.held import contexts
