@@ -74,10 +74,7 @@ class Calculus(Vocabulary):
         return value
 
     def _form(self, function: Letter, places: Sequence[Node]) -> Value:
-        """What a function is, written in its places where a text has written it so.
-
-        Of L = p²/2μr², which was found to be ½ p φ̇, that is the form for L(r).
-        """
+        """What a function is: of its forms, as V = ½ k x² = ½ k (l − s)², the one in its places."""
         definition, numbers = self.definition(function), {self.scalar(x) for x in places}
         assert definition is not None
         for node in (definition.node, *definition.also):
@@ -151,9 +148,9 @@ class Calculus(Vocabulary):
         return any(isinstance(x, n.Rate) for x in n.walked(of))
 
     def _is_along(self, value: Value, place: Expr) -> bool:
-        """Whether what moves is taken along the motion: u = 1/r by φ, which is not written in it.
+        """Whether a value is written in places that move, and not in the one it is taken by.
 
-        It is no function of φ but on an orbit, on which it is u̇/φ̇.
+        So is u = 1/r by φ: it is a function of φ on an orbit alone, where its slope is u̇/φ̇.
         """
         if isinstance(value, MatrixBase) or value.is_Symbol or value.has(TIME):
             return False
