@@ -10,7 +10,7 @@ from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import RULE, Constraint, Context, Definition
 from rigidtop.judge.jets import TIME
 from rigidtop.judge.laws import ENERGIES
-from rigidtop.judge.letters import COORDINATES
+from rigidtop.judge.letters import COORDINATES, VARYING
 from rigidtop.judge.names import is_vector
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import DEFINITION, Outcome
@@ -168,7 +168,8 @@ def again(question: Question) -> Judgement | None:
 def number_again(question: Question) -> Judgement | None:
     """A number that is given to a letter in place of the one that it had in another problem.
 
-    A measured one contradicts the one above unless words have taken something else since.
+    A measured one contradicts the one above unless words have taken something else since; but
+    what moves is at another place, or faster, later on.
     """
     letter, _ = named(question.left)
     context, at = question.context, question.at
@@ -178,6 +179,7 @@ def number_again(question: Question) -> Judgement | None:
     measured = any(isinstance(x, n.Unit) for x in n.walked(older.node))
     given = not own_letters(older.node) and (measured or not own_letters(question.right))
     taken = at.supposed or older.number < context.another if measured else at.inline
+    taken |= at.inline and letter.base in VARYING
     other = (taken and not at.derived) or (measured and bool(own_letters(question.right)))
     other &= not question.inner
     if not given or not (other or _may_be_another(question, older)):

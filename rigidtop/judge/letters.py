@@ -28,6 +28,9 @@ VELOCITIES = frozenset("uvwV")
 TURNING = frozenset("ωΩw")
 """How fast something turns."""
 
+VARYING = ANGLES | VELOCITIES | TURNING | frozenset("xyzst")
+"""What has other values at other times, as a property of a body has not."""
+
 FREQUENCIES = frozenset("ωΩνκnfw")
 """How fast something oscillates, where words speak of an oscillation."""
 

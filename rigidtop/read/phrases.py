@@ -393,6 +393,8 @@ ANOTHER = (
     r"|diminu|rédui|doubl|remplac)\w*",
     rf"(?:^|[.;:¶(] ?|\b(?:of|for|take|consider|imagine|suppose|on|nehmen) )"
     rf"(?:an?|eine?[mnrs]?|une?) (?!{_MEASURE})\w",
+    r"\b(?:examples?|exercises?|problems?|cases?|parts?|Beispiele?|Aufgaben?|F[aä]lle?|exemples?"
+    r"|exercices?|cas) (?:\d|[a-z]\b|[ivx]+\b)|\([b-h]\)|[b-h]\)",
     r"\b(?:with|mit|avec) ?\Z",
     rf"(?:^|[,;:.(¶–] ?|\b(?:and|but|und|aber|et|mais) )(?:with|mit|avec){_NOUN} ?\Z",
 )

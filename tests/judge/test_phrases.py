@@ -180,6 +180,8 @@ TAKEN = [
     r"Its moment is raised to $J = 11$ kg m².",
     r"Ein anderer Rotor hat $J = 11$ kg m².",
     r"Un autre rotor a $J = 11$ kg m².",
+    r"(b) The moment amounts to $J = 11$ kg m².",
+    "\n\n**Example 2.** The moment amounts to $J = 11$ kg m².",
 ]
 
 
@@ -195,6 +197,11 @@ def test_a_measured_number_in_a_sentence_may_not_contradict_the_one_above(line):
 def test_a_measured_number_in_a_sentence_is_another_one_where_words_take_it(line):
     outcome = judged(ROTOR + line)[-1].outcome
     assert (outcome.verdict, outcome.why) == ("definition", "J is used again")
+
+
+def test_a_measured_speed_is_another_one_later_on():
+    outcome = judged(r"A car goes at $v = 20$ m/s. It brakes to $v = 5$ m/s.")[-1].outcome
+    assert (outcome.verdict, outcome.why) == ("definition", "v is used again")
 
 
 def test_a_measured_number_is_another_one_in_a_new_exercise():
