@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import Protocol, TypeVar
 
+from rigidtop.judge.letters import CLOCK
 from rigidtop.read.passages import Passage
 from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
@@ -44,7 +45,11 @@ def explained_first(text: Iterable[S]) -> Iterator[S]:
 def _place(each: Placed, sentence: Sequence[Placed], known: Collection[Letter]) -> int:
     """Before which statement of its sentence one has to stand: the last place if none needs it."""
     name = _explained(each, sentence)
-    places = [k for k, other in enumerate(sentence) if name in _letters(other) and _says(other)]
+    places = [
+        k
+        for k, other in enumerate(sentence)
+        if name in _letters(other) and _says(other) and not _is_motion(other)
+    ]
     # What several statements speak of may come out of them.
     if name is None or name in known or len(places) != 1 or _named(sentence[places[0]]) == name:
         return len(sentence)
@@ -67,6 +72,15 @@ def _named(each: Placed) -> Letter | None:
         case n.Power(Letter() as letter, n.Number()):
             return letter
     return None
+
+
+def _is_motion(each: Placed) -> bool:
+    """Whether it gives a letter in time: its amplitude comes out of what holds."""
+    if _named(each) is None or not isinstance(each.statement, Statement):
+        return False
+    return isinstance(each.statement.sides[0], Letter) and CLOCK in n.letters(
+        each.statement.sides[-1]
+    )
 
 
 def _says(each: Placed) -> bool:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
-from rigidtop.judge import definitions, worth
+from rigidtop.judge import definitions, oscillations, worth
 from rigidtop.judge.context import LINEAR, Context, Definition, Limit
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, Slip, slip
 from rigidtop.judge.implicit import implicit, solves_nearly
@@ -40,7 +40,9 @@ def judged(question: Question) -> Judgement:
     defined = definitions.definition(question, question.left, question.right)
     if defined is not None:
         root = _nearly_root(question)
-        return defined if root is None else (root, defined[1])
+        if root is None:
+            return oscillations.with_meaning(question, defined)
+        return root, defined[1]
     context = question.context
     if all(are_numbers(*pair) for pair in question.meant):
         sides = question.left, question.right
@@ -76,7 +78,31 @@ def tending(question: Question) -> Judgement:
             return Outcome(PREMISE, "a limit"), _approaching(question, left, right)
     if not limits:
         raise UnclearError("it is not said for what it tends there")
-    return judged(question)
+    judgement = judged(question)
+    if judgement[0].passed:
+        return judgement
+    tries = map(nearly_equal, map(_beside_one, _written_out(question)))
+    return next(filter(None, tries), judgement)
+
+
+def _written_out(question: Question) -> Iterator[Question]:
+    """The question of a letter, and that of what has been found above for it."""
+    yield question
+    for each in question.context.followed:
+        if each.left == question.left and not each.instant:
+            yield replace(question.within(_free(question.context)), left=each.right)
+
+
+def _free(context: Context) -> Context:
+    """What is known without equations: what has been found stands for them."""
+    return replace(context, constraints=(), lawless=True)
+
+
+def _beside_one(question: Question) -> Question:
+    """The question whether a number stays as it is where what tends to zero is added to it."""
+    if question.right != ZERO:
+        return question
+    return question.of([(left + 1, right + 1) for left, right in question.both])
 
 
 def limited(statement: Statement, at: Situation, context: Context) -> tuple[Statement, Context]:

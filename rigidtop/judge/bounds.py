@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
-from rigidtop.judge.context import SETTING, Constraint
+from rigidtop.judge.context import SETTING, Bound, Constraint
 from rigidtop.judge.faults import slip
 from rigidtop.judge.numbers import are_numbers
 from rigidtop.judge.outcome import PREMISE, SAMPLED, Outcome
@@ -23,13 +23,14 @@ def judged(question: Question) -> Judgement:
     """
     context, at = question.context, question.at
     condition = Outcome(PREMISE, "a condition")
-    bounds = (*context.bounds, (question.left, question.right))
-    bounded = replace(context, bounds=bounds)
+    bound = Bound(question.left, question.right, at.number)
+    bounded = replace(context, bounds=(*context.bounds, bound))
     if len(question.meant) != 1 or all(are_numbers(*pair) for pair in question.meant):
         return condition, context
     if at.supposed:
         return condition, bounded
-    for left, right in reversed(context.bounds):
+    for each in reversed(context.bounds):
+        left, right = each.greater, each.less
         known = _known(question, left, right)
         if known is None:
             continue

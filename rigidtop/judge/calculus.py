@@ -11,6 +11,7 @@ import sympy
 from sympy import Expr, MatrixBase
 
 from rigidtop.judge.jets import TIME, at_instant, jet_of, jets
+from rigidtop.judge.letters import MOMENTA
 from rigidtop.judge.particles import MASS, PARTICLES, REGION, VOLUME, is_over_body, part, tuples
 from rigidtop.judge.values import UnclearError, Value, added, multiplied
 from rigidtop.judge.vocabulary import Meant, Vocabulary
@@ -36,9 +37,6 @@ _NODES = _nodes()
 _MOST_RATES = 3
 """The rates of a letter that is held are put in again up to this order, less one."""
 
-_MOMENTA = frozenset("pPπJℓlDS")
-"""Letters of momenta, in which a function may be written."""
-
 
 @dataclass
 class Calculus(Vocabulary):
@@ -60,7 +58,8 @@ class Calculus(Vocabulary):
         usual = (definition.places if definition else ()) or self.context.habits.functions.get(
             function, ()
         )
-        if len(places) == 1 and function in self.moving and places[0] != function:
+        timed = function in self.moving or self._is_timed(function, places)
+        if len(places) == 1 and timed and places[0] != function:
             # x(0), where x is a function of the time
             return self.at_time(self.differentiated(self.letter(function), order), places[0])
         if definition is None:
@@ -72,6 +71,15 @@ class Calculus(Vocabulary):
             if there != usually:
                 value = put(value, self.scalar(usually), self.scalar(there))
         return value
+
+    def _is_timed(self, function: Letter, places: Sequence[Node]) -> bool:
+        """Whether a function is given in time, and its place is none of its letters: v(τ)."""
+        definition = self.definition(function)
+        if definition is None or definition.places:
+            return False
+        value = self.letter(function)
+        own = n.letters(definition.node)
+        return value.has(TIME) and not any(own & n.letters(place) for place in places)
 
     def _form(self, function: Letter, places: Sequence[Node]) -> Value:
         """What a function is: of its forms, as V = ½ k x² = ½ k (l − s)², the one in its places."""
@@ -218,7 +226,7 @@ class Calculus(Vocabulary):
     def is_momentum(self, letter: Letter) -> bool:
         """Whether it stands for something that has rates, and is one number of the state itself."""
         component = letter.base == "L" and letter.sub != "" and not letter.bold
-        return (component or letter.base in _MOMENTA) and self._moves(letter)
+        return (component or letter.base in MOMENTA) and self._moves(letter)
 
     def _released(self, value: Value, held: frozenset[Letter]) -> Value:
         """What was held, put in again, with its rates."""

@@ -72,6 +72,15 @@ class Constraint:
         return letters(self.left) | letters(self.right)
 
 
+@dataclass(frozen=True, eq=False)
+class Bound:
+    """What a statement says to be no smaller than something else."""
+
+    greater: Node
+    less: Node
+    number: int
+
+
 @dataclass(frozen=True)
 class Limit:
     """A letter that becomes large, or small, in one sentence."""
@@ -101,6 +110,10 @@ class Habits:
     vectors: frozenset[Letter] = frozenset()
     running: Letter = CLOCK
     fields: frozenset[Letter] = frozenset()
+    massless: bool = False
+    """Whether by its words nothing in the text has a mass, so that it is 1."""
+    weightless: bool = False
+    """Whether by its words nothing in the text has a weight, or hangs on a spring."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,8 +145,7 @@ class Context:
     basis: MatrixBase | None = None
     componentwise: bool = False
     """Whether ω₁ is a component of a vector **ω** of which nothing says what it is."""
-    bounds: tuple[tuple[Node, Node], ...] = ()
-    """What is said to be no smaller than something else."""
+    bounds: tuple[Bound, ...] = ()
     open: tuple[Constraint, ...] = ()
     """What letters are said to be in lines that are left open."""
     accelerations: tuple[Constraint, ...] = ()
@@ -144,8 +156,6 @@ class Context:
     """Letters that are said to be much smaller than others, together at a time."""
     compared: int = -1
     """The sentence that said so last."""
-    another: int = -1
-    """The last statement with which words took something else than before."""
     brackets: int = 1
     """The sign of ∂f/∂q ∂g/∂p in the text's Poisson brackets."""
     limits: tuple[Limit, ...] = ()
@@ -203,19 +213,39 @@ class Context:
         """Without the cases in which letters have numbers, where they are written as letters."""
 
         def is_over(letter: Node, value: Node) -> bool:
-            return letter in written and (isinstance(value, Number) or _has_unit(value))
+            return letter in written and (isinstance(value, Number) or has_unit(value))
 
         settings = [c for c in self.constraints if c.kind == SETTING and not c.instant]
         over = [c.number for c in settings if is_over(c.left, c.right)]
         given = {x: d for x, d in self.definitions.items() if is_over(x, d.node)}
         if not over and not given:
             return self
-        over += [d.number for d in given.values() if not _has_unit(d.node)]
+        over += [d.number for d in given.values() if not has_unit(d.node)]
         definitions = {x: d for x, d in self.definitions.items() if x not in given}
         # What has been found in a case is over with it.
         ended = {id(c) for c in settings if over and c.number >= min(over)}
         kept = tuple(c for c in self.constraints if id(c) not in ended)
         return replace(self, definitions=definitions, constraints=kept)
+
+    def opposing(self, bound: Bound) -> Context:
+        """With a condition, and without what was said under the opposite one: of another case."""
+        opposite = (bound.less, bound.greater)
+        since = [b.number for b in self.bounds if (b.greater, b.less) == opposite]
+        if not since:
+            return replace(self, bounds=(*self.bounds, bound))
+        kept = {x: d for x, d in self.definitions.items() if not d.motion or d.number < since[0]}
+
+        def before(equations: tuple[Constraint, ...]) -> tuple[Constraint, ...]:
+            return tuple(c for c in equations if c.number < since[0])
+
+        return replace(
+            self,
+            definitions=kept,
+            constraints=before(self.constraints),
+            accelerations=before(self.accelerations),
+            followed=before(self.followed),
+            bounds=(*(b for b in self.bounds if b.number < since[0]), bound),
+        )
 
     def moved(self, moving: frozenset[Letter]) -> Context:
         """Without the places of letters of which it is said how they move."""
@@ -259,7 +289,7 @@ class Context:
         )
 
 
-def _has_unit(node: Node) -> bool:
+def has_unit(node: Node) -> bool:
     """Whether it is a measured number."""
     return not letters(node) and any(isinstance(x, Unit) for x in walked(node))
 

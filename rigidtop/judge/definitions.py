@@ -10,12 +10,12 @@ from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import RULE, Constraint, Context, Definition
 from rigidtop.judge.jets import TIME
 from rigidtop.judge.laws import ENERGIES
-from rigidtop.judge.letters import COORDINATES, VARYING
+from rigidtop.judge.letters import COORDINATES
 from rigidtop.judge.names import is_vector
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.outcome import DEFINITION, Outcome
 from rigidtop.judge.question import Judgement, Question
-from rigidtop.judge.sides import letters_of, named, own_letters, speaks_of
+from rigidtop.judge.sides import ZERO, letters_of, named, own_letters, speaks_of
 from rigidtop.judge.values import UnclearError, Value
 from rigidtop.judge.vocabulary import Meant
 from rigidtop.tree import nodes as n
@@ -113,7 +113,8 @@ def _is_case(question: Question, letter: Letter, node: Node) -> bool:
     at, passed = question.at, letter.base in COORDINATES and not letter.sub
     if passed and at.inline and not at.derived and letter in question.context.letters:
         return True  # half way, x = A/2
-    return alike or (question.at.supposed and not n.letters(node))
+    again = at.supposed and at.inline and not at.defined and letter in question.context.letters
+    return alike or again or (at.supposed and not n.letters(node))
 
 
 def _only_names(question: Question, letter: Letter) -> bool:
@@ -168,8 +169,7 @@ def again(question: Question) -> Judgement | None:
 def number_again(question: Question) -> Judgement | None:
     """A number that is given to a letter in place of the one that it had in another problem.
 
-    A measured one contradicts the one above unless words have taken something else since; but
-    what moves is at another place, or faster, later on.
+    A measured one contradicts the one above where words say that it has been said before.
     """
     letter, _ = named(question.left)
     context, at = question.context, question.at
@@ -178,16 +178,14 @@ def number_again(question: Question) -> Judgement | None:
         return None
     measured = any(isinstance(x, n.Unit) for x in n.walked(older.node))
     given = not own_letters(older.node) and (measured or not own_letters(question.right))
-    taken = at.supposed or older.number < context.another if measured else at.inline
-    taken |= at.inline and letter.base in VARYING
-    other = (taken and not at.derived) or (measured and bool(own_letters(question.right)))
+    new = not at.repeated if measured else at.inline
+    other = (new and not at.derived) or (measured and bool(own_letters(question.right)))
     other &= not question.inner
     if not given or not (other or _may_be_another(question, older)):
         return None
     if compared(question.left, question.right, question.meant).passed:
         return None
     known = _given_anew(context, letter, Definition(question.right, at.number, at.scope))
-    known = replace(known, another=at.number)
     return Outcome(DEFINITION, f"{in_words(letter)} is used again"), known
 
 
@@ -207,6 +205,8 @@ def _may_be_another(question: Question, older: Definition) -> bool:
     """Whether what a letter stood for may be another problem's: outside, or by the words."""
     at = question.at
     within = at.scope[: len(older.scope)] == older.scope
+    if within and question.right == ZERO and own_letters(older.node):
+        return False  # where it vanishes
     said = at.scope != older.scope and (at.defined or at.supposed) and not at.derived
     # A property, as a moment of inertia, is another body's; what moves is a special motion.
     moves = question.moves(*(x for pair in question.meant for x in pair))

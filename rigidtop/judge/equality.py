@@ -71,7 +71,7 @@ def _judged(question: Question) -> Judgement:
     if all(are_numbers(*pair) for pair in question.meant):
         return _nothing(question) or _numbers(question)
     holds = question.worlds.holds(question.both)
-    if holds is None:
+    if holds is None and not question.worlds.count:
         consistent = question.consistent()
         if consistent is not None:
             question = consistent
@@ -188,7 +188,24 @@ def _excused(question: Question) -> Judgement | None:
         or novelties.dot(question)
         or novelties.force(question)
         or _other_form(question)
+        or _but_for_a_sign(question)
     )
+
+
+def _but_for_a_sign(question: Question) -> Judgement | None:
+    """That it holds where what is said to be a root is not negative: cos α = √(1 − sin² α)."""
+    sides = (question.left, question.right)
+    bare = [x for x in sides if not any(isinstance(y, n.Root) for y in n.walked(x))]
+    if len(question.both) != 1 or len(bare) != 1 or bare[0] == ZERO:
+        return None
+    [(left, right)] = question.both
+    signs = question.worlds.signs([left * right])
+    if signs is None or not (signs > 0).any() or not question.worlds.holds([(left**2, right**2)]):
+        return None
+    outcome, context = question.follows()
+    where = f"{latex(bare[0])} \\geq 0"
+    words = f"where {in_words(bare[0])} is not negative"
+    return replace(outcome, verdict=ASSUMING, why=words, conditions=(where,)), context
 
 
 def _canonical(question: Question) -> Judgement | None:
@@ -360,7 +377,11 @@ def _one_root(question: Question) -> Judgement | None:
     context = question.context
     free = letter is not None and letter not in context.definitions
     # A letter that stands for something has a sign, but which way it goes is free.
-    if not (free or isinstance(question.left, n.Rate)) or question.at.closed or question.inner:
+    if (
+        not (free or isinstance(question.left, (n.Rate, n.Primed)))
+        or question.at.closed
+        or question.inner
+    ):
         return None
     other = n.mapped(question.right, other_root)
     if other == question.right or len(question.both) != 1:

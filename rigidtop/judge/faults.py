@@ -9,13 +9,24 @@ from fractions import Fraction
 from math import inf
 
 import numpy as np
-from sympy import Add, Expr, Symbol, cancel, factor_terms, fraction, linsolve, together
+from sympy import (
+    Add,
+    Expr,
+    Mul,
+    Symbol,
+    cancel,
+    factor_terms,
+    fraction,
+    linsolve,
+    simplify,
+    together,
+)
 from sympy.solvers.solveset import NonlinearError
 
 from rigidtop.judge import paths
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import Context, Definition, is_open
-from rigidtop.judge.jets import TIME, jet_of
+from rigidtop.judge.context import START, Context, Definition, is_open
+from rigidtop.judge.jets import TIME, Jet, jet_of, jets, symbol
 from rigidtop.judge.laws import highest
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import FALSE, Outcome
@@ -255,16 +266,19 @@ def missing_term(question: Question) -> Outcome | None:
 
     Where it is not said to follow, as few as two terms may be of another problem.
     """
-    if len(question.both) != 1 or not question.worlds.count or question.path is not None:
+    if len(question.both) != 1 or not question.worlds.count:
         return None
+    if question.path is not None:
+        return _missing_in_time(question)
     left, right = question.both[0]
     count = sum(len(Add.make_args(x.expand())) for x in (left, right) if x != 0)
     tops = highest(question.equations)
     gap = _solved_for(tops, question.equations, left - right)
     if gap is None or not _is_monomial(gap):
         gap = _left_out(question.equations, left - right)
-    moves = any(left.has(x) or right.has(x) for x in tops) or _differentiates(question)
     derived = question.at.derived
+    moves = any(left.has(x) or right.has(x) for x in tops) or _differentiates(question)
+    moves |= derived and any(x.has(TIME) for x in question.equations)
     if (
         not moves
         or count < (2 if derived else 3)
@@ -285,10 +299,49 @@ def missing_term(question: Question) -> Outcome | None:
     return Outcome(FALSE, f"{words} is missing", question.rests_on, words, side)
 
 
+def _missing_in_time(question: Question) -> Outcome | None:
+    """One term that is missing in a motion, where only its highest rate stands in what holds."""
+    path = question.path
+    assert path is not None
+    letter = path.letter
+    context = question.context
+    begins = any(c.instant == START and letter in c.letters for c in context.constraints)
+    if not begins or letter in context.definitions:
+        return None  # it may be how something else moves
+    for law in paths.laws(question):
+        orders = [jet.order for jet in jets(law.expression).values() if jet.letter == letter]
+        order = max(orders, default=0)
+        top = symbol(Jet(letter, order))
+        slope = law.expression.diff(top)
+        if not order or question.moves(slope) or {*orders} != {order} or slope == 0:
+            continue
+        rate_of_it = path.value.diff(TIME, order)
+        term = simplify((law.expression.subs(top, rate_of_it)) / slope)
+        for _ in range(order):
+            term = -term.integrate((TIME, 0, TIME)) if term.has(TIME) else -term * TIME
+        if not _is_monomial(term) or question.moves(term):
+            continue
+        if paths.solves(question, path.value + (-1) ** (order + 1) * term):
+            words = f"the term {in_words(written(term))}"
+            side = f"{latex(question.left)} = {latex(n.Sum((question.right, written(term))))}"
+            return Outcome(FALSE, f"{words} is missing", law.rests_on, words, side)
+    return None
+
+
 def _left_out(equations: Sequence[Expr], gap: Expr) -> Expr | None:
     """The one term by which a difference is more than an equation, as it stands or turned round."""
-    rests = ((gap - sign * each).expand() for each in equations for sign in (1, -1))
+    still = (x for x in map(_without_time, equations) if x is not None)
+    rests = ((gap - s * each).expand() for each in (*equations, *still) for s in (1, -1))
     return next((x for x in rests if x != 0 and not x.is_Add and _is_monomial(x)), None)
+
+
+def _without_time(equation: Expr) -> Expr | None:
+    """An equation for amplitudes: without the factor cos ωt; None if the time stands elsewhere."""
+    if not equation.has(TIME):
+        return None
+    factors = Mul.make_args(factor_terms(equation.expand()))
+    rest = Mul(*(x for x in factors if not x.has(TIME)))
+    return rest if rest.is_Add else next((x for x in factors if x.is_Add and not x.has(TIME)), None)
 
 
 def missing_factor(question: Question) -> Outcome | None:
@@ -403,13 +456,19 @@ def is_settled(question: Question) -> bool:
 
     Sides of which one is always the same multiple of the other are never equal.
     """
-    if question.worlds.count < FEWEST or question.path is not None or question.at.instant:
+    if question.worlds.count < FEWEST or question.path is not None:
         return False
-    if question.right == ZERO:
+    if question.right == ZERO or (question.at.instant and not _is_value_then(question)):
         return False
     if isinstance(question.left, Letter) and not question.at.derived:
         return False  # it may be another one
     return _ratio(question) is not None or (is_worked_out(question) and not question.inner)
+
+
+def _is_value_then(question: Question) -> bool:
+    """Whether the left side is what is given in time, at a time that is known: v(τ)."""
+    left, known = question.left, question.context.definitions
+    return isinstance(left, n.Call) and {left.function, *left.places} <= known.keys()
 
 
 def is_worked_out(question: Question) -> bool:

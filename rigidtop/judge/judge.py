@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from rigidtop.judge import approximations, bounds, equality, places, roots
 from rigidtop.judge.components import each_component
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.context import SETTING, START, Constraint, Context, Definition
+from rigidtop.judge.context import SETTING, START, Bound, Constraint, Context, Definition
 from rigidtop.judge.jets import jets
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
 from rigidtop.judge.letters import TURNING
@@ -77,8 +77,6 @@ class Judge:
         """What becomes of a statement, and what is known after it."""
         statement, context = approximations.limited(statement, situation, context)
         context = context.moved(moving_in(statement))
-        if situation.another:
-            context = replace(context, another=situation.number)
         outcome, after = self._for_each(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
         names = outcome.verdict == DEFINITION and outcome.brings  # "is Q = … canonical?"
@@ -87,9 +85,14 @@ class Judge:
         if outcome.verdict == FALSE and outcome.rests_on & context.doubted:
             why = "it rests on what has been said in two ways"
             return Outcome(UNDECIDED, why, outcome.rests_on), context
-        if outcome.verdict == FALSE and self._follows_if_open(statement, situation, context):
+        if outcome.verdict == FALSE and self._open(statement, situation, context):
             why = "it follows from what is left open above"
             return Outcome(UNDECIDED, why, outcome.rests_on), doubting
+        if outcome.verdict == UNDECIDED and (
+            open_line := self._open(statement, situation, context)
+        ):
+            why = "it follows from a line above that is left open"
+            outcome = Outcome(SAMPLED, why, frozenset({open_line.number}))
         if outcome.verdict == UNDECIDED:
             after = _with_open(statement, situation, after.doubting(statement.sides[0]))
         supposed = situation.supposed and outcome.verdict == FALSE
@@ -107,13 +110,17 @@ class Judge:
             outcomes.append(outcome)
         return joint(outcomes), after
 
-    def _follows_if_open(
+    def _open(
         self, statement: Statement, situation: Situation, context: Context
-    ) -> bool:
-        """Whether it follows where something holds that is said above and was left open."""
-        return any(
-            self._in_context(statement, situation, context.holding(each))[0].passed
-            for each in context.open[-MOST_OPEN:]
+    ) -> Constraint | None:
+        """What is said above and was left open, where it follows if that holds."""
+        return next(
+            (
+                each
+                for each in context.open[-MOST_OPEN:]
+                if self._in_context(statement, situation, context.holding(each))[0].passed
+            ),
+            None,
         )
 
     # --- the contexts in which it may be meant ---------------------------------------------------
@@ -295,7 +302,8 @@ class Judge:
 
         sides = tuple(side for side in statement.sides if is_clear(side))
         whole = len(sides) == len(statement.sides) or {*statement.relations} != {"="}
-        if whole or len(sides) < 2 or sides[0] != statement.sides[0]:
+        head = statement.sides[0]
+        if whole or len(sides) < 2 or not (sides[0] == head or isinstance(head, n.Integral)):
             return None
         return replace(statement, sides=sides, relations=("=",) * (len(sides) - 1))
 
@@ -334,10 +342,10 @@ def braces(statement: Statement) -> Iterator[n.Braced]:
 
 
 def _with_open(statement: Statement, at: Situation, context: Context) -> Context:
-    """What is known behind a line that is left open: if it says what a letter is, that may be."""
+    """What is known behind a line that is left open: what it says may be."""
     left, *_, right = statement.sides
     equal = {*statement.relations} <= {*EQUALS, *NEARLY}
-    if not equal or not isinstance(left, Letter):
+    if not equal or right == ZERO or (at.inline and not isinstance(left, Letter)):
         return context
     supposed = Constraint(left, right, at.number, SUPPOSED, at.scope)
     return replace(context, open=(*context.open, supposed))
@@ -383,8 +391,8 @@ def _bounded(question: Question) -> Judgement:
     """The outcome of left ≥ right; beside the text it is a condition."""
     context = question.context
     if question.at.inline:
-        limits = (*context.bounds, (question.left, question.right))
-        return Outcome(PREMISE, "a condition"), replace(context, bounds=limits)
+        bound = Bound(question.left, question.right, question.at.number)
+        return Outcome(PREMISE, "a condition"), context.opposing(bound)
     return bounds.judged(question)
 
 

@@ -117,7 +117,19 @@ def then(
             gap = here - there if each.kind == _KEPT else there
             if gap != 0 and gap != here:
                 made.append(Residual(gap, each.rests_on, each.kind, None, name))
+            if name != START and _ties_places(each, context.habits.moving):
+                change = moved(rate(here, context.habits.moving), name, context, memory)
+                if change != 0:  # what ties places ties their rates
+                    made.append(Residual(change, each.rests_on, each.kind, None, name))
     return made
+
+
+def _ties_places(residual: Residual, moving: frozenset[Letter]) -> bool:
+    """Whether it ties the places of several letters that move, and so their rates."""
+    found = jets(residual.expression).values()
+    letters = {jet.letter for jet in found if jet.letter in moving}
+    stated = residual.kind in (PREMISE, LAW)
+    return stated and len(letters) > 1 and not any(jet.order for jet in found)
 
 
 _KEPT = "kept"

@@ -28,11 +28,11 @@ VELOCITIES = frozenset("uvwV")
 TURNING = frozenset("ωΩw")
 """How fast something turns."""
 
-VARYING = ANGLES | VELOCITIES | TURNING | frozenset("xyzst")
-"""What has other values at other times, as a property of a body has not."""
-
 FREQUENCIES = frozenset("ωΩνκnfw")
 """How fast something oscillates, where words speak of an oscillation."""
+
+MOMENTA = frozenset("pPπJℓlDS")
+"""Momenta, in which a function may be written."""
 
 PERIODS = frozenset("TτP")
 """How long an oscillation, or a turn, takes."""

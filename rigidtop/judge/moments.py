@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from rigidtop.judge.context import START
 from rigidtop.judge.habits import bare
-from rigidtop.judge.letters import CLOCK
+from rigidtop.judge.letters import CLOCK, COORDINATES
 from rigidtop.judge.reading import Read
 from rigidtop.judge.sides import letters_in
 from rigidtop.read.cues import ends_moment
@@ -22,6 +22,7 @@ from rigidtop.tree.statement import Statement, Unread
 
 _STARTS = re.compile(
     r"\b(start|beginning|begins? (?:at rest|from|with)|initial|at first|released|let go|dropped"
+    r"|thrown|launched|fired|projected|geworfen|lancé"
     r"|anfang|zu beginn|losgelassen"
     r"|début|lâché)",
     re.I,
@@ -47,6 +48,11 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
     words = _Words()
     for passage, each in read:
         words.hear(passage, each, moving)
+        if not words.now and Cue.MOMENT in passage.cues and _AGAIN.search(passage.before):
+            k = len(made) - 1
+            while k >= 0 and not made[k] and _is_passed(*read[k], passage.sentence, moving):
+                made[k] = words.now = f"s{passage.sentence - 1}"
+                k -= 1
         if isinstance(each, Unread):
             made.append(words.now)
             continue
@@ -91,6 +97,8 @@ class _Words:
         if passage.sentence != self.sentence:
             self.sentence, self.before, self.now = passage.sentence, self.now, ""
             self.place, self.any_time, self.clocked = None, False, False
+        if isinstance(each, Statement) and _is_anywhere(each, passage):
+            self.any_time, self.now = True, ""  # he has at the angle θ
         self.any_time |= isinstance(each, Statement) and _is_any(each, moving)
         if Cue.GENERAL in cues or begun or over:
             self.now = ""
@@ -139,6 +147,26 @@ def _is_of_motion(each: Statement | Unread, moving: frozenset[Letter]) -> bool:
 def _is_any(each: Statement, moving: frozenset[Letter]) -> bool:
     """Whether it is the time alone, or a letter that moves: "when the angle φ has been unwound"."""
     return len(each.sides) == 1 and each.sides[0] in moving | {CLOCK}
+
+
+def _is_passed(
+    passage: Passage, each: Statement | Unread, sentence: int, moving: frozenset[Letter]
+) -> bool:
+    """Whether the sentence before another one gives what moves a value, which it then passes."""
+    near = passage.sentence == sentence - 1 and not passage.display
+    return near and _is_of_motion(each, moving)
+
+
+_ANYWHERE = re.compile(
+    r"\bat (?:the |an? )?(?:angle|height|distance|depth|time|place|position|point|radius) ?\Z", re.I
+)
+
+
+def _is_anywhere(each: Statement, passage: Passage) -> bool:
+    """Whether it is a coordinate alone that words call a place, or a time: at the angle θ."""
+    side = each.sides[0]
+    named = isinstance(side, Letter) and not side.sub and side.base in COORDINATES | {CLOCK.base}
+    return named and len(each.sides) == 1 and _ANYWHERE.search(passage.before) is not None
 
 
 def _is_kinematic(each: Statement, moving: frozenset[Letter]) -> bool:

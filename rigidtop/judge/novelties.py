@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from sympy import Basic, Expr, Symbol
 
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import FORCED, LAW, RULE, SETTING, Definition
+from rigidtop.judge.context import FORCED, LAW, RULE, SETTING, Constraint, Definition
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.faults import is_worked_out, slip
+from rigidtop.judge.faults import contradiction, is_worked_out, slip
 from rigidtop.judge.jets import TIME, jet_of, jets, rate
-from rigidtop.judge.laws import LAGRANGIANS, highest, is_any, lagrange
+from rigidtop.judge.laws import LAGRANGIANS, coordinates, highest, is_any, lagrange
 from rigidtop.judge.letters import CLOCK, FREQUENCIES
 from rigidtop.judge.names import is_component, is_vector
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
@@ -204,17 +204,39 @@ def law(question: Question) -> Judgement | None:
         return None
     sides = (question.left, question.right)
     heads = {side.of if isinstance(side, n.Rate) else side for side in sides}
-    heads |= {x.of for x in n.walked(question.left) if isinstance(x, n.Rate)}
-    if any(isinstance(x, Letter) and x in question.context.definitions for x in heads):
+    heads |= {x.of for side in sides for x in n.walked(side) if isinstance(x, n.Rate)}
+    known = _with_meaning(question)
+    if any(isinstance(x, Letter) and x in known for x in heads):
         # What stands for something moves as that does, if it is not a law.
         wrong = slip(question)
         if wrong is not None:
             return wrong.outcome, wrong.context
     free = highest([*question.gaps, *question.equations])
-    if not free or not fixes(question, free):
+    if not free or not fixes(question, free) or _holds_still(question, free):
         return None
+    if own_letters(question.left) & known and not question.at.supposed:
+        against = contradiction(question)
+        if against is not None:
+            return against, question.context
     outcome = Outcome(PREMISE, "it is taken as it stands", question.rests_on_meaning)
     return outcome, question.context.holding(question.constraint(LAW))
+
+
+def _holds_still(question: Question, free: Sequence[Symbol]) -> bool:
+    """Whether with it nothing of what it speaks of moves any more."""
+    own = [x for x in free if any(gap.has(x) for gap in question.gaps)]
+    if question.right == ZERO or len(own) < 2 or question.worlds.vanish(own):
+        return False
+    known = question.context.holding(question.constraint(LAW))
+    with_it = question.of([*question.both, *((x, x) for x in own)], known).worlds
+    return with_it.vanish(own)
+
+
+def _with_meaning(question: Question) -> frozenset[Letter]:
+    """Letters of which it is said what they are, or that stand alone on a side of what holds."""
+    context = question.context
+    alone = {c.left for c in context.constraints if c.kind == SUPPOSED and not c.instant}
+    return frozenset({*context.definitions, *(x for x in alone if isinstance(x, Letter))})
 
 
 def _is_force(head: Node | None) -> bool:
@@ -241,7 +263,29 @@ def force(question: Question) -> Judgement | None:
     new = question.new_letters
     outcome = Outcome(PREMISE, "it brings a force", question.rests_on_meaning)
     outcome = brings(question, new) if new else outcome
-    return outcome, question.context.holding(question.constraint(FORCED))
+    context = question.context.holding(question.constraint(FORCED))
+    for each in _for_the_others(question):
+        context = context.holding(each)
+    return outcome, context
+
+
+def _for_the_others(question: Question) -> Iterator[Constraint]:
+    """The same rule for the other coordinates, where its force is the slope of a function."""
+    slopes = [
+        x
+        for x in n.walked(question.right)
+        if isinstance(x, n.Derivative) and len(x.by) == 1 and isinstance(x.by[0], n.Rate)
+    ]
+    if len(slopes) != 1 or not isinstance(slopes[0].of, Letter):
+        return
+    [own] = slopes[0].by
+    value = question.meaning().scalar(slopes[0].of)
+    for jet in coordinates(value):
+        if isinstance(own, n.Rate) and jet.letter != own.of:
+            left, right = (
+                n.replaced(side, own.of, jet.letter) for side in (question.left, question.right)
+            )
+            yield Constraint(left, right, question.at.number, FORCED, question.at.scope)
 
 
 def dot(question: Question) -> Judgement | None:
@@ -258,7 +302,7 @@ def dot(question: Question) -> Judgement | None:
 def value(question: Question) -> Judgement | None:
     """What fixes letters that have occurred, and of which nothing has been said."""
     at, context = question.at, question.context
-    said = at.defined or at.supposed or at.inline
+    said = at.defined or at.supposed or at.inline or at.balances
     if not question.worlds.count or (at.derived and not question.inner):
         return None
     if not at.supposed and _comes_out(question):

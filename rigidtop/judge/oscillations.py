@@ -9,13 +9,14 @@ from functools import partial
 
 from sympy import Expr, pi, sqrt
 
-from rigidtop.judge.context import LAW
+from rigidtop.judge.context import LAW, Definition
 from rigidtop.judge.faults import multiple, slip
 from rigidtop.judge.jets import jets, symbol
 from rigidtop.judge.letters import FREQUENCIES, PERIODS
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.values import UnclearError
+from rigidtop.judge.vocabulary import Meant
 from rigidtop.judge.worlds import Worlds
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -42,7 +43,7 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
         if _agrees(question, square, question.both, wide.worlds):
             rests_on = wide.rests_on | grounds
             return replace(outcome, verdict=SAMPLED, why="", rests_on=rests_on), context
-    if squares and at.oscillates:
+    if squares and at.oscillates and not _is_of_another(question, name, squares[-1][1]):
         grounds, square = squares[-1]
         others = [(square, other) for _, other in squares]
         wide = question.of([*question.both, *others])
@@ -51,8 +52,33 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
         wrong = slip(wide, partial(_agrees, question, square))
         told = wrong.outcome if wrong is not None else _multiple(question, square)
         if told is not None:
-            return replace(told, rests_on=wide.rests_on | grounds), context
+            value = Meant(sqrt(_wanted(question, square)[0]))
+            righted = Definition(value, at.number, at.scope)
+            known = question.context.defining(name, righted)
+            return replace(told, rests_on=wide.rests_on | grounds), known
     return judgement
+
+
+def _is_of_another(question: Question, name: Letter, square: Expr) -> bool:
+    """Whether it is of something else, as that of what has been said to oscillate has a name.
+
+    So is τ₁ with J + J₁ beside τ with J, and the Ω of an energy beside ω.
+    """
+    kinds = (PERIODS, _TURNS_A_SECOND, FREQUENCIES - _TURNS_A_SECOND)
+    kind = next(x for x in kinds if name.base in x)
+    wanted = {PERIODS: 4 * pi**2 / square, _TURNS_A_SECOND: square / (4 * pi**2)}.get(kind, square)
+    context = question.context
+    for x in {*context.definitions, *context.letters} - {name}:
+        if x.base in kind:
+            with suppress(UnclearError):
+                value = question.meaning().scalar(x)
+                if question.of([(value**2, wanted)]).holds():
+                    return True
+    return False
+
+
+_TURNS_A_SECOND = frozenset("fνn")
+"""Letters of how often something oscillates in a second."""
 
 
 def _stands_above(question: Question) -> bool:
@@ -126,7 +152,7 @@ def _wanted(question: Question, square: Expr) -> list[Expr]:
     name = _named(question.left)
     assert name is not None
     wanted = [4 * pi**2 / square] if name.base in PERIODS else [square]
-    return wanted + ([square / (4 * pi**2)] if name.base in "fν" else [])
+    return wanted + ([square / (4 * pi**2)] if name.base in _TURNS_A_SECOND else [])
 
 
 def _named(side: Node) -> Letter | None:

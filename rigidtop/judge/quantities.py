@@ -14,13 +14,15 @@ import numpy as np
 from sympy import Expr, Integer, MatrixBase, Symbol
 
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.context import SETTING, Constraint, Context
+from rigidtop.judge.context import SETTING, START, Constraint, Context, Definition
 from rigidtop.judge.faults import slip
 from rigidtop.judge.jets import TIME, jet_of, jets
+from rigidtop.judge.laws import LAGRANGIANS, coordinates, time_at
 from rigidtop.judge.letters import (
     ANGLES,
     CLOCK,
     COORDINATES,
+    MOMENTA,
     PERIODS,
     PLACES,
     SPEED,
@@ -31,11 +33,13 @@ from rigidtop.judge.letters import (
 )
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.program import Program, UnknownFunctionError
-from rigidtop.judge.question import Judgement, Question
+from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.sides import ZERO, named, own_letters
 from rigidtop.judge.values import UnclearError
 from rigidtop.judge.vocabulary import Meant
 from rigidtop.judge.worlds import symbols_of
+from rigidtop.judge.written import written
+from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Letter, Node
@@ -63,7 +67,7 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
     outcome, context = judgement
     left = question.left
     letter = left.base if isinstance(left, n.Power) else named(left)[0]
-    known = question.context.definitions.keys() | question.moving
+    known = question.context.definitions.keys() | (question.moving - {SPEED})
     new = isinstance(letter, Letter) and letter not in known
     if outcome.verdict not in (DEFINITION, PREMISE) or question.inner or not new:
         return judgement
@@ -76,7 +80,7 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
             if asked.worlds.count and asked.left != asked.right and asked.holds():
                 rests_on = asked.rests_on - {question.at.number}
                 return Outcome(SAMPLED, f"it is {each.words}", rests_on), context
-    wrong = _wrong_energy(question, letter)
+    wrong = _wrong(question, letter)
     return judgement if wrong is None else wrong
 
 
@@ -93,6 +97,10 @@ def _asked(question: Question, letter: Letter, quantity: Quantity) -> Question:
 
 def _quantities(question: Question, letter: Letter) -> Iterator[Quantity]:
     """What a letter usually names, by its base."""
+    if not letter.sub:
+        yield from _entries(question.context, letter)
+    if letter.bold:
+        yield from _vectors(question.context, letter)
     if letter.bold or letter.base == "Δ":
         return
     if letter.base == "a":
@@ -112,10 +120,71 @@ def _quantities(question: Question, letter: Letter) -> Iterator[Quantity]:
     if letter.base in "UVW":
         yield from _effective(question)
     yield from _at_a_time(question.context, letter)
+    if letter.base in PLACES and not letter.sub:
+        yield from _ways(question)
+    if letter.base in MOMENTA and not letter.sub:
+        yield from _momenta(question)
+    entry = _entry(question, letter)
+    if entry is not None:
+        yield Quantity(_ENTRY, Meant(entry))
+    yield from _in_a_case(question.context, letter)
     if letter.sub in _EXTREMES:
         yield from _extremes(question, letter)
-    if not letter.sub:
-        yield from _entries(question.context, letter)
+
+
+def _in_a_case(context: Context, letter: Letter) -> Iterator[Quantity]:
+    """What the letter without its index is in a case of that index: v₁ is v where r = r₁."""
+    bare = replace(letter, sub="")
+    cases = (c for c in context.constraints if c.kind == SETTING and not c.instant)
+    others = {x for c in cases for x in c.letters}
+    others |= {x for x, d in context.definitions.items() if _is_value(x, d.node)}
+    there = any(x.sub == letter.sub and x != letter for x in others)
+    if letter.sub and there and bare in context.letters:
+        yield Quantity(f"{in_words(bare)} there", bare)
+
+
+def _momenta(question: Question) -> Iterator[Quantity]:
+    """The momenta of a Lagrangian."""
+    function = next((x for x in LAGRANGIANS if x in question.context.definitions), None)
+    if function is None:
+        return
+    with suppress(UnclearError):
+        for jet in coordinates(question.meaning().scalar(function)):
+            words = f"the momentum of {in_words(jet.letter)}"
+            yield Quantity(words, n.Derivative(function, (n.Rate(jet.letter, 1, True),)))
+
+
+_ENTRY = "an entry of the matrix"
+
+
+def _entry(question: Question, letter: Letter) -> Expr | None:
+    """The entry of a matrix of which the letter has the row and the column as its index: K₁₂."""
+    axes = next((x for x in ("123", "xyz") if letter.sub and {*letter.sub} <= {*x}), "")
+    if not axes or len(letter.sub) != 2:
+        return None
+    row, column = map(axes.index, letter.sub)
+    for name in (Letter(letter.base), Letter(letter.base, bold=True)):
+        if name in question.context.definitions:
+            matrix = question.meaning().value(name)
+            if isinstance(matrix, MatrixBase) and max(row, column) < min(matrix.shape):
+                return matrix[row, column]
+    return None
+
+
+def _is_value(letter: Letter, node: Node) -> bool:
+    """Whether a letter stands for the one without its index: r₁ for r."""
+    bare = replace(letter, sub="")
+    same = isinstance(node, Meant) and node.value == alone(bare)
+    return bool(letter.sub) and (node == bare or same)
+
+
+def _vectors(context: Context, letter: Letter) -> Iterator[Quantity]:
+    """The velocity and the acceleration of the place **r**."""
+    place = Letter("r", bold=True)
+    if place in context.definitions and not letter.sub:
+        for base, order in (("v", 1), ("a", 2)):
+            if letter.base == base:
+                yield Quantity("the rate of **r**", n.Rate(place, order, True))
 
 
 # --- Velocities and accelerations ----------------------------------------------------------------
@@ -124,7 +193,7 @@ def _quantities(question: Question, letter: Letter) -> Iterator[Quantity]:
 def _accelerations(question: Question) -> Iterator[Quantity]:
     context = question.context
     for x in sorted(question.moving, key=str):
-        if x.base in COORDINATES | {SPEED.base} and not x.bold:
+        if x.base in (COORDINATES - ANGLES) | {SPEED.base} and not x.bold:
             yield Quantity(f"the acceleration of {in_words(x)}", _change_of(x))
     # v² = 2 a s, where nothing is said of rates.
     places = [x for x in map(Letter, sorted(PLACES)) if x in context.letters]
@@ -136,6 +205,22 @@ def _accelerations(question: Question) -> Iterator[Quantity]:
         moving = context.habits.moving | {place, SPEED, *turning}
         known = replace(context, habits=replace(context.habits, moving=moving)).holding(way)
         yield Quantity("the acceleration", n.Rate(SPEED, 1, True), known)
+
+
+def _ways(question: Question) -> Iterator[Quantity]:
+    """How far something has come with a speed that is given in time, from zero at first."""
+    context = question.context
+    speeds = [c.right for c in context.followed if c.left == SPEED and not c.instant]
+    speeds += [SPEED] if SPEED in context.definitions else []
+    placed = any(c.instant == START and c.left == question.left for c in context.constraints)
+    if not speeds or question.at.instant or placed:
+        return
+    speed, way = (question.meaning().value(x) for x in (speeds[-1], question.right))
+    if isinstance(speed, MatrixBase) or isinstance(way, MatrixBase) or not speed.has(TIME):
+        return
+    goes = question.of([(way.diff(TIME), speed), (way.subs(TIME, 0), Integer(0))])
+    if way.has(TIME) and not question.moves(way) and goes.worlds.count and goes.holds():
+        yield Quantity("the way at that speed", Meant(way))
 
 
 def _change_of(x: Letter) -> Node:
@@ -154,6 +239,10 @@ def _speeds(question: Question, letter: Letter) -> Iterator[Quantity]:
     for x in sorted(question.moving, key=str):
         if x.base in PLACES and not x.bold:
             yield Quantity(f"the rate of {in_words(x)}", n.Rate(x, 1, True))
+    components = [x for x in map(Letter, "xyz") if x in context.definitions]
+    if len(components) > 1 and any(question.meaning().value(x).has(TIME) for x in components):
+        squares = tuple(n.Power(n.Rate(x, 1, True), _SQUARE) for x in components)
+        yield Quantity("the speed", n.Root(n.Sum(squares)))
     speed = _speed(question)
     if speed is None:
         return
@@ -219,7 +308,7 @@ def _turns(question: Question) -> Iterator[Quantity]:
         if x.base in _TURNS and not x.bold:
             yield Quantity("the time of a turn", n.Quotient(turn, x))
     for each in _rates(question):
-        yield Quantity("the time of a turn", n.Quotient(turn, each.node))
+        yield Quantity("the time of a turn", n.Quotient(turn, n.Absolute(each.node)))
 
 
 # --- Energies ------------------------------------------------------------------------------------
@@ -273,17 +362,24 @@ def _effective(question: Question) -> Iterator[Quantity]:
         yield Quantity("the effective potential", rest)
 
 
-def _wrong_energy(question: Question, letter: Letter) -> Judgement | None:
-    """The slip in a kinetic energy, where it is said where the body is."""
-    if letter != _KINETIC or question.left != letter or len(_written_places(question)) > 0:
+def _wrong(question: Question, letter: Letter) -> Judgement | None:
+    """The slip in a kinetic energy, where it is said where the body is, or in a matrix's entry."""
+    if question.left != letter:
         return None
-    for each in _kinetic(question):
+    entry = _entry(question, letter)
+    known = [] if entry is None else [Quantity(_ENTRY, n.Group(written(entry)))]
+    if letter == _KINETIC and not _written_places(question):
+        known += _kinetic(question)
+    for each in known:
         asked = _asked(question, letter, each)
         with suppress(UnclearError, UnknownFunctionError):
             wrong = slip(asked)
             if wrong is not None and wrong.change.left == asked.left:
                 line = f"{latex(letter)} = {latex(wrong.change.right)}"
-                return replace(wrong.outcome, right=line), question.context
+                righted = Definition(each.node, question.at.number, question.at.scope)
+                return replace(wrong.outcome, right=line), question.context.defining(
+                    letter, righted
+                )
     return None
 
 
@@ -299,6 +395,11 @@ def _zeros(question: Question) -> Iterator[Quantity]:
     """A time at which something that is given in time, or its rate, vanishes."""
     if isinstance(question.left, n.Power):
         return
+    for each in reversed(question.context.constraints):
+        if each.instant not in ("", START) and each.instant not in question.context.instants:
+            words = f"when {in_words(each.left)} is {in_words(each.right)}"
+            yield Quantity(words, Meant(time_at(each.instant)), instant=each.instant)
+            break
     for x in sorted(question.context.definitions, key=str):
         if x.base not in COORDINATES | SPEEDS:
             continue
@@ -307,10 +408,14 @@ def _zeros(question: Question) -> Iterator[Quantity]:
             when = question.meaning().scalar(question.right)
             if isinstance(value, MatrixBase):
                 continue
-            for given in (value, value.diff(TIME)):
+            ways = [(value, x), (value.diff(TIME), n.Rate(x, 1, True))]
+            if question.at.cues & {Cue.LANDING, Cue.TURNING}:  # a speed vanishes where it turns
+                lands = (x.base in SPEEDS) == (Cue.TURNING in question.at.cues)
+                ways = ways[:1] if lands else ways[1:] if x.base not in SPEEDS else []
+            for given, name in ways:
                 there = question.of([(given.subs(TIME, when), Integer(0))])
                 if given.has(TIME) and there.worlds.count and there.holds():
-                    yield Quantity(f"when {in_words(x)} vanishes", Meant(when))
+                    yield Quantity(f"when {in_words(name)} vanishes", Meant(when))
 
 
 def _at_a_time(context: Context, letter: Letter) -> Iterator[Quantity]:
@@ -343,7 +448,8 @@ def _extremes(question: Question, letter: Letter) -> Iterator[Quantity]:
         if isinstance(value, MatrixBase) or base not in question.context.definitions:
             return
         for x in _runs(value, question):
-            if not right.has(x) and _is_extreme(value, right, x):
+            which = letter.sub if letter.sub in ("max", "min") else ""
+            if not right.has(x) and _is_extreme(value, right, x, which):
                 words = f"an extreme value of {in_words(base)}"
                 yield Quantity(words, Meant(right))
                 return
@@ -355,8 +461,8 @@ def _runs(value: Expr, question: Question) -> list[Symbol]:
     return [TIME] if value.has(TIME) else sorted(angles, key=str)
 
 
-def _is_extreme(value: Expr, right: Expr, x: Symbol) -> bool:
-    """Whether a number is the greatest or the least value, or with another sign the least one."""
+def _is_extreme(value: Expr, right: Expr, x: Symbol, which: str) -> bool:
+    """Whether a number is the greatest or the least value, or the one of them that is asked."""
     others = symbols_of([value - x, right])
     span = np.linspace(0, _LONGEST if x == TIME else 2 * np.pi, _MOST_TIMES)
     for seed in range(_TRIALS):
@@ -364,7 +470,7 @@ def _is_extreme(value: Expr, right: Expr, x: Symbol) -> bool:
         points = np.tile(rng.uniform(0.2, 0.9, (len(others), 1)), (1, len(span)))
         rows = [span if each == x else row for each, row in zip(others, points, strict=True)]
         at = Program(others, np.array(rows, complex)).values([value, right]).values.real
-        extremes = at[0].max(), at[0].min()
+        extremes = [at[0].max()] * (which != "min") + [at[0].min()] * (which != "max")
         if not np.isfinite(at).all() or not np.isclose(at[1, 0], extremes, _NEAR, 0).any():
             return False
     return True

@@ -317,6 +317,9 @@ class Question:
         followed = (*context.followed, self.constraint(PREMISE))[-MOST_FOLLOWED:]
         supported = context.supported | self.rests_on
         context = replace(context, supported=supported, followed=followed)
+        if isinstance(self.left, Letter) and not self.at.instant:
+            # What comes out of what holds may be zero in a special case, or negative.
+            context = replace(context, results=context.results | {self.left})
         return Outcome(SAMPLED, "", self.rests_on), context
 
     def is_kept(self, both: Sequence[Pair]) -> bool:

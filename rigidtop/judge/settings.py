@@ -14,7 +14,7 @@ from rigidtop.judge.jets import TIME, Jet, jet_of
 from rigidtop.judge.numbers import are_numbers
 from rigidtop.judge.outcome import DEFINITION, PREMISE, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
-from rigidtop.judge.sides import is_setting, is_start, letters_of, own_letters
+from rigidtop.judge.sides import ZERO, is_setting, is_start, letters_of, own_letters
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter
 from rigidtop.tree.plain import plain as in_words
@@ -133,9 +133,10 @@ def _may_be_set(question: Question) -> bool:
         return False
     if at.closed and not (at.supposed or at.instant or is_start(left)):
         return False
-    if at.derived and not (at.supposed or at.opens or (at.instant and at.inline)):
+    on_circle = at.circular and at.inline and question.right == ZERO
+    if at.derived and not (at.supposed or at.opens or (at.instant and at.inline) or on_circle):
         return False
-    return at.supposed or given
+    return at.supposed or given or on_circle
 
 
 def number(question: Question) -> Judgement | None:

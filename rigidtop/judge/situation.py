@@ -74,9 +74,9 @@ class Situation:
         return Cue.ANEW in self.cues
 
     @property
-    def another(self) -> bool:
-        """Whether words take something else than before, or what has changed since."""
-        return bool(self.cues & {Cue.ANOTHER, Cue.ANEW})
+    def repeated(self) -> bool:
+        """Whether words say that it has been said before."""
+        return Cue.REPEATED in self.cues
 
     @property
     def ranges(self) -> bool:
@@ -97,6 +97,11 @@ class Situation:
     def balanced(self) -> bool:
         """Whether words speak of an equilibrium."""
         return Cue.EQUILIBRIUM in self.cues
+
+    @property
+    def balances(self) -> bool:
+        """Whether words say which forces are equal."""
+        return Cue.BALANCE in self.cues
 
     @property
     def circular(self) -> bool:

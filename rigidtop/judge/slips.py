@@ -213,6 +213,19 @@ def _single(
                 yield turned, f"{plain(turned)} in place of {plain(node)}", 2.9
             if n.letters(node):
                 yield n.Power(n.Group(node), Number("2")), f"{plain(node)} squared", 2.2
+            yield from _exchanged(over, under)
+
+
+def _exchanged(over: Node, under: Node) -> Iterator[tuple[Node, str, float]]:
+    """A fraction in which a factor above and one below have changed places."""
+    above, below = _factors(over), _factors(under)
+    if len(above) == len(below) == 1:
+        return
+    for one in (x for x in above if n.letters(x)):
+        for other in (x for x in below if n.letters(x) and x != one):
+            up = _joined([other if x is one else x for x in above])
+            down = _joined([one if x is other else x for x in below])
+            yield n.Quotient(up, down), f"{plain(one)} and {plain(other)} exchanged", 2.95
 
 
 def _factors(node: Node) -> tuple[Node, ...]:

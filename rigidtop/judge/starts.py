@@ -26,10 +26,10 @@ _TOTALS = (Letter("E"), Letter("ℰ"))
 _EULER = frozenset({Letter("φ"), Letter("θ"), Letter("ψ")})
 
 
-def at_rest(context: Context, number: int, scope: tuple[int, ...]) -> Context:
+def at_rest(context: Context, number: int, scope: tuple[int, ...], placed: bool = False) -> Context:
     """What is known where everything begins at rest; a top that is let go may turn about its axis.
 
-    The clock starts then, if nothing else is said of it.
+    The clock starts then, if nothing else is said of it; x, y, z do so where they are `placed`.
     """
     moving = context.habits.moving - context.definitions.keys()
     for letter in sorted(moving, key=str):
@@ -38,6 +38,9 @@ def at_rest(context: Context, number: int, scope: tuple[int, ...]) -> Context:
             continue
         start = Constraint(still, Number("0"), number, SETTING, scope, START)
         context = context.holding(start)
+        if placed and letter.base in "xyz":
+            start = Constraint(letter, Number("0"), number, SETTING, scope, START)
+            context = context.holding(start)
     return replace(context, instants={START: Number("0"), **context.instants})
 
 
@@ -72,15 +75,24 @@ def with_acceleration(context: Context, number: int) -> Context | None:
 
 
 def with_force(statement: Statement, context: Context, number: int) -> Context | None:
-    """What is known with Newton's law where only a potential is; None if m ẍ is no side."""
+    """What is known with Newton's law where only a potential is; None if m ẍ is no side.
+
+    Where the text has no mass, it is that of a mass of 1.
+    """
     energies = {Letter(x) for x in "TLEH"} & context.definitions.keys()
     potential = next((x for x in map(Letter, "UV") if x in context.definitions), None)
-    match statement.sides[0]:
-        case Product((Letter(), Rate(Letter() as place, 2))) if potential and not energies:
-            force = Negative(Derivative(potential, (place,)))
-            law = Constraint(statement.sides[0], force, number, PREMISE)
-            return context.holding(law) if place in context.letters else None
-    return None
+    side = statement.sides[0]
+    match side:
+        case Product((Letter(), Rate(Letter() as place, 2))):
+            pass
+        case Rate(Letter() as place, 2) if context.habits.massless:
+            pass
+        case _:
+            return None
+    if potential is None or energies or place not in letters(context.definitions[potential].node):
+        return None
+    force = Negative(Derivative(potential, (place,)))
+    return context.holding(Constraint(side, force, number, PREMISE))
 
 
 def _with_speed(statement: Statement, context: Context, number: int) -> Context:

@@ -6,7 +6,7 @@ If it follows in one of them, that was meant. A slip there is told where little 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rigidtop.judge import neighbours, places, states
 from rigidtop.judge.context import Context, Definition
@@ -14,7 +14,7 @@ from rigidtop.judge.laws import LAGRANGIANS
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import with_acceleration, with_energy, with_force
-from rigidtop.judge.vocabulary import Memory
+from rigidtop.judge.vocabulary import Meant, Memory
 from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node, letters
@@ -57,6 +57,8 @@ def _possible(
     yield Supposition(statement, at, stated or context, tells=True)
     alike = places.alike(at, context)
     yield Supposition(statement, at, alike or context, lasts=True, tells=True)
+    numbered = _with_indices(statement, at, context)
+    yield Supposition(statement, at, numbered or context)
     weighed = _with_gravity(statement, at, context)
     yield Supposition(statement, at, weighed or context, words="with g = 9.81 m/s²")
     begun = places.begun(statement, at, context)
@@ -71,6 +73,8 @@ def _possible(
         yield Supposition(statement, at.hearing(Cue.SMALL), beside or context)
         moved = with_acceleration(context, at.number)
         yield Supposition(statement, at, moved or context, lasts=True, tells=True)
+        thrown = _without_potential(at, context)
+        yield Supposition(statement, at, thrown or context, words="with no potential energy")
         forced = with_force(statement, context, at.number)
         yield Supposition(statement, at, forced or context, lasts=True, tells=True)
     for there in places.placed(statement, at, context):
@@ -82,6 +86,43 @@ def _accelerates(statement: Statement) -> bool:
     """Whether a second rate stands in it."""
     nodes = (x for side in statement.sides for x in n.walked(side))
     return any(isinstance(x, n.Rate) and x.order == 2 for x in nodes)
+
+
+def _without_potential(at: Situation, context: Context) -> Context | None:
+    """What is known where the Lagrangian is the kinetic energy alone; None if there is another."""
+    energies = {Letter(x) for x in "VUEH"} | {*LAGRANGIANS}
+    kinetic = next((x for x in map(Letter, "TK") if x in context.definitions), None)
+    known = context.letters | context.definitions.keys()
+    if not context.habits.weightless or kinetic is None or energies & known:
+        return None
+    return context.defining(LAGRANGIANS[0], Definition(kinetic, at.number, at.scope))
+
+
+def _with_indices(statement: Statement, at: Situation, context: Context) -> Context | None:
+    """What is known where new letters with an index are what those without it are, of that index.
+
+    v₂/v₁ is r₂²/r₁² after v = r² g/η; None if there are none.
+    """
+    there = context.letters | letters_in(statement)
+    found = {c.left: c.right for c in context.followed if not c.instant}
+    made = context
+    new = sorted((x for x in letters_in(statement) - context.letters if x.sub), key=str)
+    bases = [replace(x, sub="") for x in new]
+    for name, bare in zip(new, bases, strict=True):
+        if bases.count(bare) < 2:
+            continue  # one of them alone may be another body's
+        known = context.definitions.get(bare)
+        value = known.node if known is not None else found.get(bare)
+        if value is None or isinstance(value, Meant):
+            continue
+        own = {x: replace(x, sub=name.sub) for x in letters(value) if not x.sub}
+        own = {x: other for x, other in own.items() if other in there}
+        node = value
+        for letter, other in own.items():
+            node = n.replaced(node, letter, other)
+        if own:
+            made = made.defining(name, Definition(node, at.number, at.scope))
+    return made if made is not context else None
 
 
 _WEIGHT = Letter("g")

@@ -10,13 +10,15 @@ from dataclasses import dataclass, replace
 from math import inf
 
 from rigidtop.judge.ahead import explained_first
-from rigidtop.judge.context import START, Context, Habits, Limit
+from rigidtop.judge.context import SETTING, START, Constraint, Context, Habits, Limit, has_unit
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
+from rigidtop.judge.letters import is_mass
 from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time, time_of
 from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import LATE, Read, read_text
+from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import at_rest, with_energy, with_velocities
 from rigidtop.judge.states import kept
@@ -125,7 +127,14 @@ def reading(source: str, macros: Macros | None = None, until: float = inf) -> Re
     """What a text asks."""
     read, place = read_text(source, macros, until)
     cases = cases_of(read)
-    habits = habits_of([each for _, each in read if isinstance(each, Statement)])
+    stated = [each for _, each in read if isinstance(each, Statement)]
+    habits = habits_of(stated)
+    weighed = any(is_mass(x) for each in stated for x in letters_in(each))
+    habits = replace(
+        habits,
+        massless=not weighed and _MASS.search(source) is None,
+        weightless=_WEIGHT.search(source) is None,
+    )
     moments = instants(read, habits.moving)
     asked = (
         Asked(
@@ -174,11 +183,13 @@ def _step(
         if Cue.DIVISOR in passage.cues:
             return None, replace(context, not_zero=(*context.not_zero, *each.sides))
         if Cue.CONSTANT not in passage.cues:
+            context = _on_circle(each.sides[0], passage, asked.number, context)
             return None, _tending(each.sides[0], passage, context)
         each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
     context = context.within(passage.scope, passage.sentence)
     if Cue.REST in passage.cues:
-        context = at_rest(context, asked.number, passage.scope)
+        placed = _ORIGIN.search(passage.before) is not None
+        context = at_rest(context, asked.number, passage.scope, placed)
     if Cue.CONSERVED in passage.cues:
         context = with_energy(context, asked.number, passage.scope)
     for cue in (Cue.KEPT, Cue.MOMENTUM_KEPT):
@@ -191,6 +202,9 @@ def _step(
     context = with_velocities(each, context, asked.number)
     at = situation(passage, asked.number, moment, passage.scope != scope, read.names)
     at = replace(at, case=asked.is_case)
+    measured = is_time(each) and has_unit(each.sides[-1])
+    if measured and not read.habits.moving:
+        at = replace(at, instant="")  # where nothing has a rate the time is a number like others
     if at.instant and is_time(each):
         outcome = Outcome(UNDECIDED)
         if at.instant != START and at.instant not in context.instants:
@@ -205,8 +219,31 @@ def _step(
     return row(outcome, at), context
 
 
+_MASS = re.compile(
+    r"\b(?:mass\w*|weigh\w*|heavy|kg|kilograms?|grams?|charge\w*|rubs?|friction|Masse\w*|Gewicht\w*"
+    r"|schwer\w*|Ladung\w*|Gramm|reibt|Reibung|lourde?s?|frottement)\b|\d\s*(?:g|kg)\b",
+    re.I,
+)
+_WEIGHT = re.compile(
+    r"weight|gravity|\bhang|\bfall|spring|pendul|slope|inclin|roof|Schwer|Gewicht|\w*[Ff]eder|hängt"
+    r"|fällt|Pendel|pesanteur|ressort",
+    re.I,
+)
+"""Words for what has a mass, and for what has more than a kinetic energy."""
+_ORIGIN = re.compile(r"\b(?:at|from|in|im|à) (?:the |l['’])?(?:origin|Ursprung|origine)\b", re.I)
+"""Words that say where something begins."""
+_RADIUS = re.compile(r"\b(?:circle of (?:the )?radius|Kreis vom Radius|cercle de rayon) ?\Z", re.I)
+"""Words in front of the radius of a circle on which something goes."""
 _GROWS = re.compile(r"\b(?:(small|klein\w*|petite?s?)|large|gro(?:ss|ß)\w*|grande?s?) ?\Z", re.I)
 """Words in front of a letter that is small, or large, where something is nearly true."""
+
+
+def _on_circle(node: n.Node, passage: Passage, number: int, context: Context) -> Context:
+    """What is known where words name the radius of the circle on which r stays."""
+    radius = next((x for x in map(Letter, "rρ") if x in context.letters and x != node), None)
+    if radius is None or _RADIUS.search(passage.before) is None or not isinstance(node, Letter):
+        return context
+    return context.holding(Constraint(radius, node, number, SETTING, passage.scope))
 
 
 def _tending(node: n.Node, passage: Passage, context: Context) -> Context:

@@ -193,7 +193,8 @@ def found(
 ) -> Worlds:
     """Worlds in which `equations` vanish; those with real numbers, if there are any.
 
-    No parameter is zero there but those that `may_vanish`, nor is anything that is `not_zero`.
+    No parameter is zero there but those that `may_vanish`, which may be negative too, nor is
+    anything that is `not_zero`.
     More worlds are looked for until there are `enough`, from three times as many places.
     """
     if not equations or not letters:
@@ -220,12 +221,13 @@ def _found(
         for x in _factors(e)
         if all(_is_parameter(y, letters) for y in symbols(x))
     ]
-    speeds = [x for x in letters if _may_be_negative(x)]
+    speeds = [x for x in letters if _is_speed(x)]
+    backwards = frozenset({*speeds, *(x for x in letters if _is_of(x, may_vanish))})
     sums += [x - y for x, y in combinations(speeds, 2)]  # after an impact as before it
     every = np.zeros((len(letters), 0), complex)
     for seed in range(_SEEDS):
         try:
-            starts = _starts(letters, seed)[:, : 3 * enough]
+            starts = _starts(letters, seed, backwards)[:, : 3 * enough]
             points, exact = _solved(equations, letters, starts, weights, enough)
             exact &= _is_not_zero(not_zero, letters, points)
         except UnknownFunctionError:
@@ -233,7 +235,7 @@ def _found(
         exact &= ~(np.abs(points[parameters]) < SMALLEST).any(axis=0)
         exact &= (np.abs(points) < 1e4).all(axis=0)
         every = np.hstack([every, points[:, exact]])
-        if not every.size and (seed or not any(_may_be_negative(x) for x in letters)):
+        if not every.size and (seed or not backwards):
             break  # what does not hold together at so many places hardly does at others
         zero = np.abs(np.vstack([every, Program(letters, every).values(sums).values])) < 1e-6
         real = np.abs(every.imag).max(axis=0, initial=0) < 1e-9
@@ -320,7 +322,9 @@ def least(matrices: Array, right: Array, rounding: float) -> Array:
     return made
 
 
-def _starts(letters: Sequence[Symbol], seed: int) -> Array:
+def _starts(
+    letters: Sequence[Symbol], seed: int, backwards: frozenset[Symbol] = frozenset()
+) -> Array:
     rng = np.random.default_rng(seed)
     rows = [
         rng.uniform(-1.5, 1.5, _STARTS) if _order(x) else rng.uniform(0.5, 1.9, _STARTS)
@@ -328,13 +332,13 @@ def _starts(letters: Sequence[Symbol], seed: int) -> Array:
     ]
     if seed:  # a speed may be one backwards
         rows = [
-            row * rng.choice([-1, 1], _STARTS) if _may_be_negative(x) else row
+            row * rng.choice([-1, 1], _STARTS) if x in backwards else row
             for x, row in zip(letters, rows, strict=True)
         ]
     return np.array(rows, complex).reshape(len(letters), _STARTS)
 
 
-def _may_be_negative(x: Symbol) -> bool:
+def _is_speed(x: Symbol) -> bool:
     """Whether it is a speed by its name."""
     jet = jet_of(x)
     return jet is not None and not jet.order and jet.letter.base in VELOCITIES

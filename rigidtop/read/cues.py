@@ -14,14 +14,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from rigidtop.read.phrases import ANOTHER, BEFORE, BEHIND, INLINE, TITLED, WITHIN, Cue
+from rigidtop.read.phrases import BEFORE, BEHIND, INLINE, TITLED, WITHIN, Cue
 
 _LET_GO = r"(?:released|let go|dropped|losgelassen|lâchée?s?|abandonnée?s?)"
 _REST = re.compile(
     r"\b(?:(?:start|begin|falls?|moves? off|set(?:ting|s)? (?:off|out)|initially|released|dropped)"
     r"\w*(?: [\w'-]+){0,3} (?:at|from|in) rest"
     r"|rests? (?:at|in|on)\b[^.;]{0,40}\buntil"
-    r"|(?:from rest|aus der Ruhe|(?:anfangs|zu Beginn|zunächst) (?:\w+ ){0,2}in Ruhe"
+    r"|(?:(?<!\()(?<!§ )from rest|aus der Ruhe|(?:anfangs|zu Beginn|zunächst) (?:\w+ ){0,2}in Ruhe"
     r"|ruht (?:anfangs|zu Beginn|zunächst)|part(?:ant|ent)? du repos|initialement au repos)"
     r"|(?:without|ohne|sans)(?: \w+)?(?: initiale?r?)?"
     r" (?:push|velocity|speed|\w*[Gg]eschwindigkeit|Stoß|Schwung|vitesse|impulsion)"
@@ -53,14 +53,14 @@ _BEFORE = {cue: _ends(patterns, "[ :(]*") for cue, patterns in BEFORE.items()}
 _INLINE = {cue: _ends(patterns, "[ ,:(]*") for cue, patterns in INLINE.items()}
 _WITHIN = {cue: re.compile("|".join(patterns), re.I) for cue, patterns in WITHIN.items()}
 _BEHIND = {cue: re.compile("|".join(patterns), re.I) for cue, patterns in BEHIND.items()}
-_ANOTHER = re.compile("|".join(ANOTHER), re.I)
 _TITLED = re.compile(rf"(?:{'|'.join(TITLED)})\Z", re.I)
 _WHERE = re.compile(r"\bwhere\Z", re.I)
 _CHOSEN = re.compile(
     r"\b(?:let|choose|take|put|set|with|sei|wähle|mit|soit|avec)(?: (?:us|now))?[ :(]*\Z", re.I
 )
 """What chooses a coordinate, in front of the place from which it counts."""
-_TO = re.compile(r"\A(?:to|and|bis|und|à|et)\b|\b(?:to|and|bis|und|à|et)\Z", re.I)
+_TO = re.compile(r"(?:to|and|bis|und|à|et)\b", re.I)
+_UP_TO = re.compile(r"\b(?:to|and|bis|und|à|et)\Z", re.I)
 """What stands between the beginning and the end of a range."""
 _THAT_IS = re.compile(r"(?:^|[¶,.;] ?|\bou )soit[ :,]*\Z", re.I)
 """In front of a display it says the same in another form; in front of a letter it is "let"."""
@@ -84,7 +84,7 @@ def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
         if _SUPPOSED_BEHIND.fullmatch(behind):
             heard |= {Cue.CASE, Cue.MOMENT}
         heard |= {cue for cue, pattern in _INLINE.items() if pattern.search(before)}
-        if Cue.RANGE in heard and not (_TO.match(behind) or _TO.search(before)):
+        if Cue.RANGE in heard and not (_TO.match(behind) or _UP_TO.search(before)):
             heard -= {Cue.RANGE}
         if Cue.DEFINED in heard:
             heard -= {Cue.DERIVED}  # "that is, with §"
@@ -128,7 +128,7 @@ def passed_on(
         return moment
     clause = _CLAUSE.fullmatch(before) and _INLINE[Cue.CASE].search(opening)
     if display != follower or clause or not before.strip():
-        return heard - _PREMISES
+        return heard - _PREMISES - {Cue.EXCEPTED}
     return heard - {Cue.CONSTANT} | ({Cue.CASE} if Cue.CONDITION in heard else set())
 
 
@@ -186,15 +186,6 @@ def begins_at_rest(words: str) -> bool:
     (True, False)
     """
     return _REST.search(words) is not None
-
-
-def takes_another(words: str) -> bool:
-    """Whether words take another body than before, or one that has changed since.
-
-    >>> takes_another("Another wheel has"), takes_another("The moment of the wheel amounts to")
-    (True, False)
-    """
-    return _ANOTHER.search(words) is not None
 
 
 def enumerates(before: str) -> bool:

@@ -19,7 +19,6 @@ from rigidtop.read.cues import (
     enumerates,
     kept,
     passed_on,
-    takes_another,
     unequal,
 )
 from rigidtop.read.left import states
@@ -74,8 +73,6 @@ def _said(words: str) -> Iterator[Cue]:
     """What words say of all that follows."""
     if begins_at_rest(words):
         yield Cue.REST
-    if takes_another(words):
-        yield Cue.ANOTHER
     yield from kept(words)
 
 

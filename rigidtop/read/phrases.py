@@ -43,8 +43,8 @@ class Cue(Enum):
     """It says where something begins, or where it ends: "from § to §"."""
     ANEW = auto()
     """It is what something is after a change: "the new energy is"."""
-    ANOTHER = auto()
-    """Since the statement before, words take something else, or what has changed since."""
+    REPEATED = auto()
+    """It has been said before: "as stated above"."""
     DIVISOR = auto()
     """Something is divided by it."""
     CONSERVED = auto()
@@ -53,6 +53,10 @@ class Cue(Enum):
     """Since the statement before it is said that what that speaks of is conserved."""
     MOMENTUM_KEPT = auto()
     """The same of a momentum."""
+    LANDING = auto()
+    """Something arrives at a place: "back on the ground"."""
+    TURNING = auto()
+    """Something does not move for a moment: "at the highest point"."""
     VANISHING = auto()
     """What was spoken of before vanishes there: "it is zero for"."""
     EXTREME = auto()
@@ -69,6 +73,8 @@ class Cue(Enum):
     """It holds on a circle."""
     OSCILLATION = auto()
     """It says how fast something oscillates: "the period is"."""
+    BALANCE = auto()
+    """It says which forces are equal: "the attraction is just what the circle needs"."""
     EQUILIBRIUM = auto()
     """It holds in an equilibrium."""
     REST = auto()
@@ -224,13 +230,39 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
 """The words directly in front of a formula, behind which no more stands than a comma."""
 
 WITHIN: dict[Cue, tuple[str, ...]] = {
+    Cue.REPEATED: (
+        r"\b(?:as (?:[\w-]+ ){0,4}(?:above|before|stated|measured|said|given|found)|indeed|still"
+        r"|the same|wie (?:oben|gesagt|zuvor)|noch immer|nach wie vor|comme (?:plus haut|ci-dessus"
+        r"|avant)|toujours)\b",
+    ),
+    Cue.ASKED: (r"\b(?:would (?:be|have|move|go|fall|fly|turn|run)|wäre|würde|serait|irait)\b",),
+    Cue.LANDING: (
+        r"\b(?:(?:back )?(?:on|at|to) the (?:ground|floor)|lands|hits the|fallen|am Boden|landet"
+        r"|au sol|retombe)\b",
+    ),
+    Cue.TURNING: (
+        r"\b(?:(?:highest|turning) point|turns (?:back|round)|stops|comes to rest"
+        r"|höchste[nr]? Punkt|Umkehrpunkt|kehrt um|bleibt stehen|point le plus haut|s'arrête)\b",
+    ),
     Cue.SMALL: (rf"\b{_SMALL}",),
     Cue.LARGE: (rf"\b{_LARGE}",),
     Cue.EQUILIBRIUM: (
         r"\bstands? (?:still|at a (?:fixed|constant)\b)",
+        r"\bkeeps? (?:its|their|the same|a (?:fixed|constant)) "
+        r"(?:\w+ )?(?:angles?|inclinations?|places?|positions?|distances?|heights?)\b",
+        r"\b(?:hangs?|hanging) (?:\w+ )?(?:at rest|still|in equilibrium)\b",
         r"(?:^|[.;¶] ?)(?:at rest|in Ruhe|au repos)\b",
         r"\b(?:equilibri(?:um|a)|(?:can|could) (?:stay|rest|remain)|(?:stays|rests|remains) at"
         r"|Gleichgewicht\w*|Ruhelagen?|équilibre)\b",
+    ),
+    Cue.BALANCE: (
+        r"\b(?:balances?|balanced by|provid(?:es|ed by)|suppli(?:es|ed by)|counteracts?"
+        r"|(?:is|are) (?:just |exactly |precisely )?what (?:the|an?|it|is)\b[^.;:§]{0,20}"
+        r"\bneed\w*|(?:centripetal|centrifugal) (?:force|acceleration)"
+        r"|(?:keeps?|holds?) (?:it|him|them|the \w+) (?:on|in) (?:the|its|their|an?) "
+        r"(?:circle|orbit|path|track)"
+        r"|hält\w*[^.;:§]{0,20} das Gleichgewicht|(?:Zentripetal|Zentrifugal|Flieh)kraft"
+        r"|compense|force centri\w+)\b",
     ),
     Cue.VANISHING: (
         r"\b(?:it|this|that|they|(?:the|this|its) [\w-]+(?: force)?|sie|er|es|dies|die(?:se)? \w+"
@@ -336,6 +368,8 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"(?<!fixed )(?<!held )(?<!attached )(?<!placed )(?<!stands )"
         r"\b(?:at|at (?:the )?(?:time|moment|instant|place|point)|when|whenever)",
         r"\b(?:there|point|place|moment|instant|time|angle)\b[^§.;:]{0,30} where(?: now)?",
+        r"\b(?:hits?|meets?|reach(?:es)?|touch(?:es)?|cross(?:es)?|lands?|arrives?)\b[^.;:§]{0,30}"
+        r" (?:where|when|as soon as)",
         r"\b(?:bei|sobald|zur Zeit|zum Zeitpunkt)|, wo",
         r"(?:^|[.;¶] ?)(?:where|wo|là où) [^,;:.§]{1,40},",
         r"\b(?:en|(?<!rapport )à|lorsque|quand|à l'instant)",
@@ -344,10 +378,15 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"|s'arrête|a)\b[^,;:.§]{0,40},",
         r"\b(?:obtained|reached|found|follows|occurs|happens|ergibt sich|erreicht|folgt|gilt"
         r"|s'obtient|atteinte?) (?:for|für|pour)",
+        r"\b(?:thrown|launched|shot|fired|projected|geworfen|lancée?)\b[^.;:§]{0,30}"
+        r"\b(?:from|with|at|von|mit|de|avec)\b[^.;:§]{0,20}",
     ),
     Cue.EXCEPTED: (
         r"\b(?:not (?:at|on|near|for)|except(?:ed)?|away from|nicht (?:bei|für|an)|außer|sauf)"
         r"[^.;:§]{0,40} (?:where|when|if|for|wo|wenn|für|où|si|pour)",
+        r"\b(?:apart from|aside from|other than|except(?: for)?|leaving aside|disregarding"
+        r"|abgesehen von|außer|bis auf|hormis|excepté|à part|sauf)"
+        r"(?: (?:the|der|dem|la)(?: \w+)? (?:case|solution|root|Fall|Lösung|Wurzel|solution))?",
     ),
     Cue.RANGE: (r"\b(?:from|between|von|zwischen|de|entre)(?: § (?:to|and|bis|und|à|et))?",),
     Cue.DEFINED: (r"(?<!agrees )(?<!compare )(?<!comparing )\b(?:with|mit|avec)",),
@@ -378,27 +417,5 @@ INLINE: dict[Cue, tuple[str, ...]] = {
 
 What they suppose of an inequality is a condition; a display is what the sentence says itself.
 """
-ANOTHER = (
-    r"\b(?:another|instead|this time|(?:an?|the|its|of|for) (?:second|third|fourth|new|other|next"
-    r"|different|heavier|lighter|larger|smaller|longer|shorter|bigger)"
-    r"|ander(?:e[mnrs]?|s)|zweite[mnrs]?|dritte[mnrs]?|neue[mnrs]?|nächste[mnrs]?|stattdessen"
-    r"|diesmal|autres?|deuxième|seconde?|troisième|nouve(?:au|lle)|cette fois)\b",
-    r"\b(?:now (?:with|for|has|have|is|are)|(?:is|are|has|have) now|(?:hat|ist|beträgt|mit) (?:nun"
-    r"|jetzt)|(?:nun|jetzt) (?:hat|ist|beträgt|mit)|(?:a|est|avec) maintenant"
-    r"|maintenant (?:a|est|avec))\b",
-    r"\b(?:after(?:wards)?|later|finally|at last|nach(?:dem|her)?|später|danach|zuletzt|après"
-    r"|ensuite|enfin|plus tard)\b",
-    r"\b(?:rais|increas|reduc|lower|doubl|halv|chang|shorten|lengthen|enlarg|replac|rise|grow|drop"
-    r"|fall|sink|slow|erhöh|verringer|veränder|verdoppel|halbier|ersetz|wächst|sinkt|augment"
-    r"|diminu|rédui|doubl|remplac)\w*",
-    rf"(?:^|[.;:¶(] ?|\b(?:of|for|take|consider|imagine|suppose|on|nehmen) )"
-    rf"(?:an?|eine?[mnrs]?|une?) (?!{_MEASURE})\w",
-    r"\b(?:examples?|exercises?|problems?|cases?|parts?|Beispiele?|Aufgaben?|F[aä]lle?|exemples?"
-    r"|exercices?|cas) (?:\d|[a-z]\b|[ivx]+\b)|\([b-h]\)|[b-h]\)",
-    r"\b(?:with|mit|avec) ?\Z",
-    rf"(?:^|[,;:.(¶–] ?|\b(?:and|but|und|aber|et|mais) )(?:with|mit|avec){_NOUN} ?\Z",
-)
-"""Since the statement before: what gets a number then need not be what had one above."""
-
 TITLED = (r"[^¶]*\w[^¶]*¶[ ,.:–-]*", r"[^§]*\w[^§]*¶ ?(?:then|now|dann|nun|alors)")
 """In front of a formula: it stands directly behind a title, which says what is supposed."""

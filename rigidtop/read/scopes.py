@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 HEADINGS = {"part": 0, "chapter": 1, "section": 2, "subsection": 3, "subsubsection": 4}
 UNDERLINES = "=-~^"
@@ -34,9 +34,15 @@ _THEOREMS = (
     "|proof|definition|remark|note|case|beispiel|aufgabe|satz|beweis|exemple|exercice"
     "|eg|ex|exmp|exer|defi|defn|thm|lem|prop|cor|rem|rmk|soln?|law|bsp|aufg"
 )
+_WHERE = (
+    "On|At|In|For|With|Without|After|Before|If|When|During|Near|Above|Below|Auf|Bei|Im|Am|Mit|Ohne"
+    "|Nach|Vor|Für|Wenn|Sur|Au|En|Sans|Avec|Pour|Après|Avant|Si"
+)
+"""How words in italics begin that say in which case something is."""
 _BOLD = (
     r"\*\*|__|\\textbf[ \t]*\{|\{\\bf(?:series)?[ \t]|<b>|<strong>"
-    r"|\*(?=[^*\s][^*\n]{0,80}[.:]\*(?!\*))|\\(?:emph|textit)[ \t]*\{(?=[^{}\n]{1,80}[.:]\})"
+    rf"|\*(?=(?:[^*\s][^*\n]{{0,80}}[.:]|(?:{_WHERE})\b[^*\n]{{1,60}})\*(?!\*))"
+    rf"|\\(?:emph|textit)[ \t]*\{{(?=(?:[^{{}}\n]{{1,80}}[.:]|(?:{_WHERE})\b[^{{}}\n]{{1,60}})\}})"
 )
 _ITALIC = r"(?:\*|_|\\(?:emph|textit)[ \t]*\{)"
 _MARK = re.compile(
@@ -87,6 +93,8 @@ class _Scope:
     number: int
     environment: str = ""
     """The name of what `\\end` closes; an item of its list has the name, too."""
+    brief: bool = False
+    """Whether it ends with its paragraph: "*On the level* it is so." without a display."""
 
 
 def scopes(source: str, covered: Sequence[tuple[int, int]] = (), tex: bool = False) -> list[Mark]:
@@ -168,6 +176,8 @@ class _Outline:
         self.enter(level)
         if not bold:
             return Mark(start, self.path, start)
+        if bold == "*" and self.is_whole(start):
+            self.open[-1] = replace(self.open[-1], brief=True)
         closing = _CLOSING.get(bold)
         words = match.end("bold")
         close = self.until(closing, end) if closing else self.brace(words)
@@ -201,6 +211,8 @@ class _Outline:
         within = any(scope.level >= ENTRY and not scope.environment for scope in self.open)
         if match["text"]:
             before = len(self.open)
+            if self.open and self.open[-1].brief:
+                self.open.pop()
             while self.open and self.open[-1].level >= ENTRY + indent:
                 if self.open[-1].environment:
                     break
@@ -236,6 +248,11 @@ class _Outline:
             max(0, line - LONGEST_TITLE, self.source.rfind("\n", 0, line) + 1) : line
         ]
         return line < 0 or _BLOCK_ENDS.search(above) is not None
+
+    def is_whole(self, at: int) -> bool:
+        """Whether a paragraph is no more than a sentence, which goes on in no display."""
+        paragraph = self.source[at : at + LONGEST_TITLE].partition("\n\n")[0]
+        return paragraph.rstrip().endswith((".", "!")) and "$$" not in paragraph
 
     # Where a title ends
 

@@ -5,6 +5,9 @@ import pytest
 from rigidtop.judge.text import judged
 
 OSCILLATOR = r"$$\ddot x + \omega^2 x = f\cos\nu t$$" "\n"
+IMPACT_OF_TWO = r"""$$m v = m a + M b$$
+$$\frac12 m v^2 = \frac12 m a^2 + \frac12 M b^2$$
+"""
 IMPACT = "$$m u = m v + M w$$\n$$w - v = e u$$\n"
 HOOP = (
     r"$$L = \frac12 m a^2(\dot\theta^2 + \Omega^2\sin^2\theta) + m g a\cos\theta$$"
@@ -196,6 +199,189 @@ STEPS = {
         r"$$v = 9.9\,\mathrm{m/s}$$",
         r"$$v = 19.8\,\mathrm{m/s}$$",
     ),
+    "without what is excluded": (
+        IMPACT_OF_TWO + "Apart from $b = 0$ the only solution is\n",
+        r"$$a = \frac{m - M}{m + M}v$$",
+        r"$$a = \frac{m + M}{m - M}v$$",
+    ),
+    "what comes out may be negative": (
+        IMPACT_OF_TWO
+        + "Apart from $b = 0$ the only solution is\n"
+        + r"$$a = \frac{m - M}{m + M}v$$"
+        + "\nFor $M = 3 m$\n",
+        r"$$a = -\frac12 v$$",
+        r"$$a = -\frac13 v$$",
+    ),
+    "a limit of what has been found": (
+        IMPACT_OF_TWO
+        + "Apart from $b = 0$\n"
+        + r"$$b = \frac{2 m}{m + M}v$$"
+        + "\n"
+        + r"For $M\to\infty$"
+        + "\n",
+        r"$$b \to 0$$",
+        r"$$b \to v$$",
+    ),
+    "the time at which something is so": (
+        r"$$v = v_0 - b t$$" "\n" r"$$w = c t$$" "\n" "They are alike when $v = w$, at the time\n",
+        r"$$\tau = \frac{v_0}{b + c}$$",
+        r"$$\tau = \frac{v_0}{b - c}$$",
+    ),
+    "what was left open": (
+        r"$$e = \frac12 v^2 - \frac{k}{r}$$" "\n" "On the whole\n" r"$$v^2 r = q$$" "\n",
+        r"$$e = \frac{q}{2 r} - \frac kr$$",
+        r"$$e = \frac{q}{r} - \frac kr$$",
+    ),
+    "a balance": (
+        r"$$e = \frac12 v^2 - \frac{k}{r}$$"
+        "\n"
+        "The attraction is just what the circle needs,\n"
+        r"$$\frac{v^2}{r} = \frac{k}{r^2}$$"
+        "\n",
+        r"$$e = -\frac{k}{2 r}$$",
+        r"$$e = \frac{k}{2 r}$$",
+    ),
+    "indices": (
+        r"$$F = 6\pi\eta r v$$"
+        "\n"
+        r"$$F = \rho r^3$$"
+        "\nHence\n"
+        r"$$v = \frac{\rho r^2}{6\pi\eta}$$"
+        "\nFor two with $r_2 = 3 r_1$\n",
+        r"$$\frac{v_2}{v_1} = 9$$",
+        r"$$\frac{v_2}{v_1} = 3$$",
+    ),
+    "a value in a case": (
+        r"$$v^2 = k\left(\frac2r - \frac1a\right)$$" "\n" "On the first circle $a = r = r_1$, so\n",
+        r"$$v_1 = \sqrt{\frac{k}{r_1}}$$",
+        r"$$v_1 = \sqrt{\frac{2 k}{r_1}}$$",
+    ),
+    "the time of a turn": (
+        r"$$L = \frac12 m r^2\dot\phi^2 - V$$"
+        "\n"
+        r"$$\dot\phi^2 = \frac gs$$"
+        "\nOne turn takes\n",
+        r"$$\tau = 2\pi\sqrt{\frac sg}$$",
+        r"$$\tau = \pi\sqrt{\frac sg}$$",
+    ),
+    "where arms keep their angle": (
+        r"$$L = \frac12 m a^2(\dot\theta^2 + \Omega^2\sin^2\theta) + m g a\cos\theta$$"
+        "\n"
+        r"If the arms keep their angle and do not hang down ($\sin\theta \ne 0$),"
+        "\n",
+        r"$$\cos\theta = \frac{g}{a\Omega^2}$$",
+        r"$$\cos\theta = \frac{2 g}{a\Omega^2}$$",
+    ),
+    "the speed on a path": (
+        r"$$x = u t, \qquad y = w t - \frac12 g t^2$$" "\nIts speed is\n",
+        r"$$v = \sqrt{u^2 + (w - g t)^2}$$",
+        r"$$v = \sqrt{u^2 + (w + g t)^2}$$",
+    ),
+    "a kinetic energy alone": (
+        r"$$T = \frac12 m(\dot r^2 + \Omega^2 r^2)$$" "\n",
+        r"$$\ddot r = \Omega^2 r$$",
+        r"$$\ddot r = \frac{F}{m}r$$",
+    ),
+    "a rule for the other coordinate": (
+        r"$$L = \frac12 m\dot x^2 + \frac12 n\dot y^2, \qquad F = \frac12 c(\dot x - \dot y)^2$$"
+        "\n"
+        r"$$\frac{d}{dt}\frac{\partial L}{\partial\dot x} - \frac{\partial L}{\partial x}"
+        r" = -\frac{\partial F}{\partial\dot x}$$"
+        "\nand the same for $y$, which means\n",
+        r"$$n\ddot y = c(\dot x - \dot y)$$",
+        r"$$n\ddot y = -c(\dot x - \dot y)$$",
+    ),
+    "rates at a place": (
+        r"$$\tan\beta = \cos\delta\tan\alpha$$"
+        "\n"
+        r"$$\dot\beta = q$$"
+        "\n"
+        r"At $\alpha = 0$"
+        "\n",
+        r"$$\dot\beta = \dot\alpha\cos\delta$$",
+        r"$$\dot\beta = \dot\alpha\sin\delta$$",
+    ),
+    "from rest at the origin": (
+        r"$$m\ddot y = -q B\dot x$$" "\nIf the charge starts from rest at the origin, this gives\n",
+        r"$$\dot y = -\frac{q B}{m}x$$",
+        r"$$\dot y = \frac{q B}{m}x$$",
+    ),
+    "on a circle": (
+        r"$$W = \frac{D^2}{2 m r^2} + c r^4$$"
+        "\n"
+        r"$$W' = -\frac{D^2}{m r^3} + 4 c r^3$$"
+        "\n"
+        "On a circle of radius $R$ we have $W' = 0$, that is\n",
+        r"$$D^2 = 4 m c R^6$$",
+        r"$$D^2 = 2 m c R^6$$",
+    ),
+    "a time as a number": (
+        r"Within $t = 30\ \mathrm{s}$ it goes $s = 60\ \mathrm{m}$." "\n",
+        r"$$\frac st = 2\ \mathrm{m/s}$$",
+        r"$$\frac st = 3\ \mathrm{m/s}$$",
+    ),
+    "a momentum that is named": (
+        r"$$L = \frac12 m(\dot r^2 + r^2\dot\phi^2) - V$$" "\nThe angle does not occur, and\n",
+        r"$$D = m r^2\dot\phi$$",
+        r"$$D = m r\dot\phi$$",
+    ),
+    "an entry of a matrix": (
+        r"$$K = \begin{pmatrix} a & 2 b \\ 2 b & c \end{pmatrix}$$" "\n",
+        r"$$K_{12} = 2 b$$",
+        r"$$K_{12} = -2 b$$",
+    ),
+    "a root where its sign is not said": (
+        r"It steers upstream by $\alpha$ with $\sin\alpha = \frac cv$." "\n",
+        r"$$\cos\alpha = \sqrt{1 - \frac{c^2}{v^2}}$$",
+        r"$$\cos\alpha = \sqrt{1 + \frac{c^2}{v^2}}$$",
+    ),
+    "the amplitude of a trial": (
+        r"$$M\ddot x + k x = F\sin\Omega t$$"
+        "\n"
+        r"In the steady state $x = X\sin\Omega t$ with"
+        "\n",
+        r"$$X = \frac{F}{k - M\Omega^2}$$",
+        r"$$X = \frac{F}{k + M\Omega^2}$$",
+    ),
+    "a case in which another solution is singular": (
+        r"$$\ddot x + \omega^2 x = f\cos\nu t,$$"
+        "\n"
+        r"and at $t = 0$ it is at rest, $x = 0$ and $\dot x = 0$."
+        "\n\n1. "
+        r"$\nu \ne \omega$. The solution is "
+        r"$$x = \frac{f}{\omega^2 - \nu^2}(\cos\nu t - \cos\omega t)$$"
+        "\n\n2. "
+        r"$\nu = \omega$. The amplitude grows: ",
+        r"$$x = \frac{f t}{2\omega}\sin\omega t$$",
+        r"$$x = \frac{f t}{\omega}\sin\omega t$$",
+    ),
+    "the greatest value is not the least": (
+        r"$$r = \frac{p}{2 + \cos\phi}$$" "\n",
+        r"$$r_{\max} = p$$",
+        r"$$r_{\max} = \frac p3$$",
+    ),
+    "when it turns, and not when it is back": (
+        r"$$y = w t - \frac12 g t^2$$" "\nIt is at the highest point after\n",
+        r"$$\tau = \frac wg$$",
+        r"$$\tau = \frac{2 w}{g}$$",
+    ),
+    "no way from elsewhere": (
+        r"$$v = c - b t$$" "\nIt goes on from there:\n",
+        r"$$x = c t - \frac12 b t^2$$",
+        r"$$x = c t - b t^2$$",
+    ),
+    "what holds under the opposite condition": (
+        r"Moving to the left, $\dot x < 0$:"
+        "\n"
+        r"$$m\ddot x = -k x + R$$"
+        "\n"
+        r"Now to the right, $\dot x > 0$:"
+        "\n"
+        r"$$m\ddot x = -k x - R$$"
+        "\n",
+        r"$$\ddot x = -\frac{k x + R}{m}$$",
+        r"$$\ddot x = -\frac{k x - R}{m}$$",
+    ),
 }
 """What stands above, then a line that follows and one that does not."""
 
@@ -215,6 +401,28 @@ def test_a_step_is_told_from_a_slip(name):
          r"$$p_x = m\dot x - \frac12 q B y, \qquad p_y = m\dot y + \frac12 q B x$$" "\n"
          r"$$H = \frac{1}{2 m}[(p_x + \frac12 q B y)^2 + (p_y - \frac12 q B x)^2]$$" "\n"
          r"$$m\ddot y = q B\dot x$$", "another sign"),
+        # the rate of what stands alone on a side
+        (r"$$y = a(1 - \cos\theta)$$" "\n" r"$$\dot y = a\dot\theta\cos\theta$$", "sin"),
+        # what is given in time, at a time that is known
+        (r"$$v = c - g t$$" "\n" r"$$\tau = \frac{c}{3 g}$$" "\n" r"$$v(\tau) = \frac13 c$$",
+         "times as much"),
+        (r"$$m = n - \mu t$$" "\n" r"$$m\dot v = \mu u - m g$$" "\n"
+         r"From the start, $v = 0$ at $t = 0$:" "\n" r"$$v = u\ln\frac{n}{n - \mu t}$$", "−g t"),
+        # a force from a potential where nothing has a mass
+        (r"$$V = \frac12 x^2 + x^2 y$$" "\n" r"$$\ddot x = -x - x y$$", "2 times"),
+        # a term of amplitudes
+        (r"$$M\ddot x = -K x - k(x - y) + F\cos\Omega t$$" "\n" r"$$m\ddot y = -k(y - x)$$" "\n"
+         r"We try $x = X\cos\Omega t$, $y = Y\cos\Omega t$. This gives" "\n"
+         r"$$(K - M\Omega^2)X - k Y = F$$", "the term"),
+        (r"$$K = \begin{pmatrix} a & b \\ b & c \end{pmatrix}$$" "\n" r"$$K_{12} = -b$$",
+         "another sign"),
+        (r"$$z = x - u$$" "\n" r"$$m\ddot x = -k z$$" "\n" r"$$\ddot x = \ddot z - \ddot u$$",
+         "sign"),
+        # what would hold all still is no law
+        (r"$$x + 2 y = s$$" "\n" r"$$\dot y = -2\dot x$$", "times as much"),
+        # a factor above and one below
+        (r"$$k s^2 = m v^2\left(1 + \frac mM\right)$$" "\nHence\n"
+         r"$$v = s\sqrt{\frac{k(M + m)}{m M}}$$", "exchanged"),
         (r"$$D = \frac12(1 - e^2)m u^2$$" "\n" r"$$2 D = m(1 - e)^2 u^2$$", "in place of"),
         (r"$$\gamma T = \Lambda$$" "\n" r"$$T = \frac{2\pi}{\nu}$$" "\n"
          r"Hence $$\gamma T = \frac{2\pi\nu}{\gamma}$$", "in place of"),
@@ -251,3 +459,77 @@ def test_what_is_written_for_a_letter_is_what_it_stands_for():
     rows = judged(r"I write $A$ for $\lambda_1$ and $n$ for $a + b$. $$2 n = 2 a + 2 b$$")
     assert rows[-1].outcome.passed
     assert len(rows) == 3
+
+
+def test_what_one_letter_stands_for_is_contradicted_by_what_two_give():
+    *_, outcome = (
+        row.outcome
+        for row in judged(r"""
+$$\omega_1 = \dot\phi\sin\theta\sin\psi + \dot\theta\cos\psi$$
+$$\omega_2 = \dot\phi\sin\theta\cos\psi + \dot\theta\sin\psi$$
+$$\omega_1\sin\psi + \omega_2\cos\psi = \dot\phi\sin\theta$$""")
+    )
+    assert outcome.passed is False
+    assert outcome.why.startswith("it contradicts what ω₂ stands for")
+
+
+def test_a_period_with_another_body_is_no_slip_in_the_one_without():
+    text = r"""$$J\ddot\phi = -D\phi$$
+The period is $$\tau = 2\pi\sqrt{\frac JD}$$
+With a second body the period becomes $$\tau_1 = 2\pi\sqrt{\frac{J + J_1}{D}}$$"""
+    assert [row.outcome.passed for row in judged(text)] == [None, True, None]
+
+
+def test_what_it_is_thrown_with_is_no_value_where_it_turns():
+    text = r"""$$e = \frac12 v^2 - \frac kr$$
+It is thrown up from the ground, $r = R$, with $v = u$, and turns at $r = 3R$ where $v = 0$."""
+    assert all(row.outcome.passed is not False for row in judged(text))
+
+
+def test_behind_a_slip_in_a_frequency_goes_on_what_it_should_have_been():
+    text = r"""$$m\ddot x = -k x$$
+The frequency of the oscillation is $$\omega = \sqrt{\frac mk}$$
+$$\frac{2\pi}{\omega} = 2\pi\sqrt{\frac mk}$$"""
+    assert [row.outcome.passed for row in judged(text)] == [None, False, True]
+
+
+def test_where_a_letter_vanishes_it_is_not_used_again():
+    text = r"""$$N = m g\cos\theta - m\frac{v^2}{R}$$
+**With a push.** He leaves it, $N = 0$, where $$v^2 = g R\cos\theta$$"""
+    assert judged(text)[-1].outcome.passed is True
+
+
+RIGHT = [
+    r"""*On top of a hill* the acceleration points down,
+$$\frac{m v^2}{r} = m g - N$$
+
+*At the bottom of a dip* it points up,
+$$\frac{m v^2}{r} = N - m g$$""",
+    r"""$$m\dot v = -m g$$
+A stone is thrown from $y = 0$ with $v = w$. Were there no weight, it would be at $$y = w t$$""",
+    r"""$$m\ddot x = -k x$$
+It oscillates with $$\omega = \sqrt{\frac km}$$
+The energy oscillates with $$\omega_K = 2\sqrt{\frac km}$$""",
+    "A block of 2 kg on a spring, $$U = \\frac12 k x^2$$ $$\\ddot x = -\\frac12 k x$$",
+    r"On the Earth $g = 9.81\,\mathrm{m/s^2}$. On the Moon $g = 1.62\,\mathrm{m/s^2}$.",
+]
+
+
+@pytest.mark.parametrize("text", RIGHT)
+def test_what_is_right_is_not_condemned(text):
+    assert all(row.outcome.passed is not False for row in judged(text))
+
+
+OPEN = [
+    r"""$$J\ddot\theta = -m g s\sin\theta$$
+Let $\theta = \beta$. At this moment $$\ddot\theta = 0$$""",
+    r"The rod hangs in the field of its weight. $$T = \frac12 J\dot\theta^2$$ $$\ddot\theta = 0$$",
+    r"A body of 2 kg has $$U = \frac12 k x^2$$ $$\ddot x = -k x$$",
+    r"$$l\ddot\theta = -g\sin\theta$$ The acceleration is $$a = -\frac gl\sin\theta$$",
+    r"A disc has $$J = \frac12 M R^2$$ A thin ring has $$J_1 = \frac12 M_1 R_1^2$$",
+]
+
+
+@pytest.mark.parametrize("text", OPEN)
+def test_what_only_seems_to_follow_does_not(text):
+    assert judged(text)[-1].outcome.passed is not True

@@ -409,4 +409,6 @@ $$N = mg\cos\phi + m(R - r)\dot\phi^2 = \frac{mg}3(7\cos\phi - 4\cos\alpha)$$
 
 def test_a_slip_does_not_make_terms_cancel():
     *_, opened, row = judged(ROLLER)
-    assert opened.outcome.passed is row.outcome.passed is None
+    assert opened.outcome.passed is None
+    assert row.outcome.why == "it follows from a line above that is left open"
+    assert row.outcome.rests_on == {opened.number}
