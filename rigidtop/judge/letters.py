@@ -31,6 +31,9 @@ TURNING = frozenset("ωΩw")
 FREQUENCIES = frozenset("ωΩνκnfw")
 """How fast something oscillates, where words speak of an oscillation."""
 
+FORCES = frozenset("FfNSHZλ")
+"""Forces, where nothing says what they are."""
+
 MOMENTA = frozenset("pPπJℓlDS")
 """Momenta, in which a function may be written."""
 

@@ -11,9 +11,9 @@ from rigidtop.judge import worlds as w
 from rigidtop.judge.context import FORCED, LAW, RULE, SETTING, Constraint, Definition
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.faults import contradiction, is_worked_out, slip
-from rigidtop.judge.jets import TIME, jet_of, jets, rate
+from rigidtop.judge.jets import TIME, jet_of, jets, rate, symbol
 from rigidtop.judge.laws import LAGRANGIANS, coordinates, highest, is_any, lagrange
-from rigidtop.judge.letters import CLOCK, FREQUENCIES
+from rigidtop.judge.letters import CLOCK, FORCES, FREQUENCIES, SPEEDS
 from rigidtop.judge.names import is_component, is_vector
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
@@ -212,8 +212,14 @@ def law(question: Question) -> Judgement | None:
         if wrong is not None:
             return wrong.outcome, wrong.context
     free = highest([*question.gaps, *question.equations])
-    if not free or not fixes(question, free) or _holds_still(question, free):
+    if not free or _holds_still(question, free):
         return None
+    if not fixes(question, free):
+        if not _ties_velocities(question, free):
+            return None
+        wrong = slip(question)
+        if wrong is not None:
+            return wrong.outcome, wrong.context
     if own_letters(question.left) & known and not question.at.supposed:
         against = contradiction(question)
         if against is not None:
@@ -230,6 +236,28 @@ def _holds_still(question: Question, free: Sequence[Symbol]) -> bool:
     known = question.context.holding(question.constraint(LAW))
     with_it = question.of([*question.both, *((x, x) for x in own)], known).worlds
     return with_it.vanish(own)
+
+
+def _ties_velocities(question: Question, free: Sequence[Symbol]) -> bool:
+    """Whether it ties velocities, as rolling does, and what is not known yet are the forces.
+
+    Were they, only special motions would obey it.
+    """
+    moving = [x for gap in question.gaps for x in jets(gap).values() if question.moves(symbol(x))]
+    speeds = all(x.order == (0 if x.letter.base in SPEEDS else 1) for x in moving)
+    if not speeds or len(moving) < 2 or question.at.derived or question.right == ZERO:
+        return False
+    results = question.context.results
+    forces = [
+        x
+        for x, jet in ((x, jet_of(x)) for x in question.worlds.letters)
+        if jet is not None and (jet.letter in results or jet.letter.base in FORCES)
+    ]
+    rates = [rate(gap, question.moving) for gap in question.gaps]
+    equations, unknown = question.equations, [*free, *(x for x in forces if x not in free)]
+    worlds = question.of([*question.both, *((x, 0 * x) for x in rates)]).worlds
+    before = w.rank(equations, worlds, unknown)
+    return w.rank([*equations, *rates], worlds, unknown) == before + len(rates)
 
 
 def _with_meaning(question: Question) -> frozenset[Letter]:

@@ -320,6 +320,22 @@ STEPS = {
         r"$$\frac st = 2\ \mathrm{m/s}$$",
         r"$$\frac st = 3\ \mathrm{m/s}$$",
     ),
+    "rolling behind the equations of motion": (
+        r"$$m\ddot x = F - f, \qquad J\ddot\varphi = f R - F r$$"
+        "\nNo slipping means\n"
+        r"$$\dot x = R\dot\varphi$$"
+        "\n",
+        r"$$\ddot x = \frac{F R(R - r)}{J + m R^2}$$",
+        r"$$\ddot x = \frac{F R(R + r)}{J + m R^2}$$",
+    ),
+    "gears behind the equations of motion": (
+        r"$$J_1\dot\omega_1 = M - F r_1, \qquad J_2\dot\omega_2 = F r_2$$"
+        "\n"
+        r"$$r_1\omega_1 = r_2\omega_2$$"
+        "\n",
+        r"$$J_1\dot\omega_1 + J_2\frac{r_1}{r_2}\dot\omega_2 = M$$",
+        r"$$\dot\omega_1 = \frac{M}{J_1}$$",
+    ),
     "a momentum that is named": (
         r"$$L = \frac12 m(\dot r^2 + r^2\dot\phi^2) - V$$" "\nThe angle does not occur, and\n",
         r"$$D = m r^2\dot\phi$$",
@@ -521,6 +537,7 @@ def test_what_is_right_is_not_condemned(text):
 
 
 OPEN = [
+    r"$$m\ddot x = -k x, \qquad m\ddot y = -4 k y$$ So it is that $$\dot x = 2\dot y$$",
     r"""$$J\ddot\theta = -m g s\sin\theta$$
 Let $\theta = \beta$. At this moment $$\ddot\theta = 0$$""",
     r"The rod hangs in the field of its weight. $$T = \frac12 J\dot\theta^2$$ $$\ddot\theta = 0$$",
