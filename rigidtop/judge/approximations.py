@@ -90,12 +90,7 @@ def _written_out(question: Question) -> Iterator[Question]:
     yield question
     for each in question.context.followed:
         if each.left == question.left and not each.instant:
-            yield replace(question.within(_free(question.context)), left=each.right)
-
-
-def _free(context: Context) -> Context:
-    """What is known without equations: what has been found stands for them."""
-    return replace(context, constraints=(), lawless=True)
+            yield replace(question.within(question.context.without_equations()), left=each.right)
 
 
 def _beside_one(question: Question) -> Question:

@@ -146,6 +146,7 @@ class Context:
     componentwise: bool = False
     """Whether ω₁ is a component of a vector **ω** of which nothing says what it is."""
     bounds: tuple[Bound, ...] = ()
+    """What is said to be no smaller than something else."""
     open: tuple[Constraint, ...] = ()
     """What letters are said to be in lines that are left open."""
     accelerations: tuple[Constraint, ...] = ()
@@ -201,6 +202,10 @@ class Context:
     def holding(self, constraint: Constraint) -> Context:
         """With something more that holds."""
         return replace(self, constraints=(*self.constraints, constraint))
+
+    def without_equations(self) -> Context:
+        """With no more than what letters stand for."""
+        return replace(self, constraints=(), lawless=True)
 
     def generally(self) -> Context:
         """Without the special cases, and without the places that are passed."""

@@ -92,7 +92,7 @@ def implicit(question: Question) -> Iterator[Implicit]:
 
 def _freed(context: Context) -> tuple[Context, Context]:
     """The context without what holds, and without what letters stand for, too."""
-    bare = replace(context, constraints=(), lawless=True)
+    bare = context.without_equations()
     return bare, replace(bare, definitions={})
 
 

@@ -235,7 +235,7 @@ def _found(
         exact &= ~(np.abs(points[parameters]) < SMALLEST).any(axis=0)
         exact &= (np.abs(points) < 1e4).all(axis=0)
         every = np.hstack([every, points[:, exact]])
-        if not every.size and (seed or not backwards):
+        if not every.size and (seed or not speeds):
             break  # what does not hold together at so many places hardly does at others
         zero = np.abs(np.vstack([every, Program(letters, every).values(sums).values])) < 1e-6
         real = np.abs(every.imag).max(axis=0, initial=0) < 1e-9
