@@ -110,6 +110,8 @@ class Habits:
     vectors: frozenset[Letter] = frozenset()
     running: Letter = CLOCK
     fields: frozenset[Letter] = frozenset()
+    driven: frozenset[Letter] = frozenset()
+    """Letters whose motion the words say to be given, so that no law moves them."""
     massless: bool = False
     """Whether by its words nothing in the text has a mass, so that it is 1."""
     weightless: bool = False

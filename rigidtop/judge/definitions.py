@@ -17,7 +17,7 @@ from rigidtop.judge.outcome import DEFINITION, Outcome
 from rigidtop.judge.question import Judgement, Question
 from rigidtop.judge.sides import ZERO, letters_of, named, own_letters, speaks_of
 from rigidtop.judge.values import UnclearError, Value
-from rigidtop.judge.vocabulary import Meant
+from rigidtop.judge.vocabulary import Curvature, Meant
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
@@ -34,7 +34,8 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     context, habits = question.context, question.context.habits
     if letter == Letter("π") and letter not in habits.own:
         return None
-    if isinstance(name, n.Primed) and name.of in {*context.definitions} & {*habits.functions}:
+    spoken = context.letters | context.definitions.keys()
+    if isinstance(name, n.Primed) and name.of in spoken & habits.functions.keys():
         return None  # a derivative of what is known
     letter = question.meaning().named(letter)
     index = next((x for x in habits.indices if letter.sub == x), "")
@@ -78,6 +79,24 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     why = f"what {in_words(name)} stands for"
     brings = frozenset({in_words(letter)})
     return Outcome(DEFINITION, why, frozenset(meaning.used), brings=brings), known
+
+
+def form(question: Question) -> Judgement | None:
+    """The matrix that a quadratic form is said to have, where the form is known: V = ½ qᵀ K q."""
+    left, right, at = question.left, question.right, question.at
+    known = question.context.definitions
+    match right:
+        case n.Product((*numbers, n.Transposed(column), Letter() as matrix, other)):
+            is_form = column == other and not frozenset().union(*map(n.letters, numbers))
+        case _:
+            return None
+    if not is_form or left not in known or matrix in known.keys() | question.context.given:
+        return None
+    half = n.Quotient(n.Number("1"), n.Product((n.Number("2"), *numbers)))
+    meant = Definition(n.Product((half, Curvature(left, column))), at.number, at.scope)
+    words = f"{in_words(matrix)} is the matrix of {in_words(left)}"
+    brings = frozenset({in_words(matrix)})
+    return Outcome(DEFINITION, words, brings=brings), question.context.defining(matrix, meant)
 
 
 def _bare(node: Node) -> Node:

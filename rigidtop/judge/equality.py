@@ -18,6 +18,7 @@ from rigidtop.judge import (
     paths,
     quantities,
     settings,
+    spectrum,
     worth,
 )
 from rigidtop.judge.brackets import convention
@@ -46,6 +47,7 @@ DOES_NOT_FOLLOW = "it does not follow from what stands above"
 def judged(question: Question) -> Judgement:
     """The outcome of an equation and the context behind it; raises UnclearError."""
     judgement = oscillations.with_meaning(question, _judged(question))
+    judgement = spectrum.with_meaning(question, judgement)
     return quantities.with_meaning(question, judgement)
 
 
@@ -64,6 +66,9 @@ def _judged(question: Question) -> Judgement:
     field = fields.equation(question) or fields.value(question)
     if field is not None:
         return field
+    form = definitions.form(question)
+    if form is not None:
+        return form
     defined = definitions.definition(question, left, right)
     defined = defined or definitions.definition(question, right, left)
     if defined is not None:

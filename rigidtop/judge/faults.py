@@ -25,8 +25,9 @@ from sympy.solvers.solveset import NonlinearError
 
 from rigidtop.judge import paths
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import START, Context, Definition, is_open
-from rigidtop.judge.jets import TIME, Jet, jet_of, jets, symbol
+from rigidtop.judge.context import PREMISE as SUPPOSED
+from rigidtop.judge.context import START, Constraint, Context, Definition, is_open
+from rigidtop.judge.jets import TIME, Jet, jet_of, jets, operations, symbol, symbols
 from rigidtop.judge.laws import highest
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import FALSE, Outcome
@@ -54,6 +55,9 @@ NEARLY_ALIKE = 2.9
 
 LIKELY = 1.2
 """Up to this rank a slip is looked for in what a statement contradicts."""
+
+FUNCTIONS = 2.0
+"""Up to this rank a slip is one of a function, too, as sin in place of cos."""
 
 FEWEST = 2
 """In fewer worlds a change may make a statement right by chance."""
@@ -251,7 +255,11 @@ def _righted(question: Question, change: Change) -> Context:
     if path is None:
         definition = context.definitions.get(change.left)  # type: ignore[call-overload]
         if definition is None:
-            return context
+            if not question.new_letters:
+                return context
+            at = question.at  # it says what the new ones are
+            righted = Constraint(change.left, change.right, at.number, SUPPOSED, at.scope)
+            return context.holding(righted)
         also = (*definition.also, change.right)
         return context.defining(change.left, replace(definition, also=also))  # type: ignore[arg-type]
     definition = Definition(change.right, question.at.number, question.at.scope)
@@ -330,9 +338,14 @@ def _missing_in_time(question: Question) -> Outcome | None:
 
 def _left_out(equations: Sequence[Expr], gap: Expr) -> Expr | None:
     """The one term by which a difference is more than an equation, as it stands or turned round."""
-    still = (x for x in map(_without_time, equations) if x is not None)
-    rests = ((gap - s * each).expand() for each in (*equations, *still) for s in (1, -1))
+    short = [x for x in equations if operations(x) <= LONGEST]
+    still = (x for x in map(_without_time, short) if x is not None)
+    rests = ((gap - s * each).expand() for each in (*short, *still) for s in (1, -1))
     return next((x for x in rests if x != 0 and not x.is_Add and _is_monomial(x)), None)
+
+
+LONGEST = 120
+"""From an equation with more operations no term is left out."""
 
 
 def _without_time(equation: Expr) -> Expr | None:
@@ -404,13 +417,16 @@ def _solved_for(tops: Sequence[Symbol], equations: Sequence[Expr], gap: Expr) ->
 # --- Two statements that contradict each other ---------------------------------------------------
 
 
-def contradiction(question: Question) -> Outcome | None:
-    """A statement above that, with one change, lets this one hold; nothing follows from it."""
+def contradiction(question: Question, most: float = LIKELY) -> Outcome | None:
+    """A statement above that, with one change, lets this one hold; nothing follows from it.
+
+    Of the changes none is less likely than `most`.
+    """
     with question.patience.search(SLIP_SECONDS / 2) as until:
-        return _contradiction(question, until)
+        return _contradiction(question, most, until)
 
 
-def _contradiction(question: Question, until: float) -> Outcome | None:
+def _contradiction(question: Question, most: float, until: float) -> Outcome | None:
     context = question.context
     names = [
         (letter, definition)
@@ -420,16 +436,31 @@ def _contradiction(question: Question, until: float) -> Outcome | None:
         and is_open(definition.scope, question.at.scope)
         and not isinstance(definition.node, Meant)
     ]
+    told: list[Outcome] = []
     for letter, definition in sorted(names, key=lambda x: -x[1].number)[:3]:
-        known = n.letters(definition.node)
-        for change in changes(letter, definition.node, known, question.moving):
-            if time.process_time() > until or change.rank > LIKELY:
-                break
-            if change.left == letter and _holds_with(question, letter, definition, change.right):
-                why = f"it contradicts what {in_words(letter)} stands for: {change.words} there"
-                right = f"{latex(letter)} = {latex(change.right)}"
-                rests_on = frozenset({definition.number})
-                return Outcome(FALSE, why, rests_on, change.words, right)
+        change = _change_of_meaning(question, letter, definition, most, until)
+        if change is not None:
+            why = f"it contradicts what {in_words(letter)} stands for: {change.words} there"
+            right = f"{latex(letter)} = {latex(change.right)}"
+            rests_on = frozenset({definition.number})
+            told.append(Outcome(FALSE, why, rests_on, change.words, right))
+    if len(told) < 2:
+        return told[0] if told else None
+    rests_on = frozenset().union(*(each.rests_on for each in told))
+    right = ", or ".join(each.right for each in told)
+    return Outcome(FALSE, "it contradicts one of the lines that it rests on", rests_on, right=right)
+
+
+def _change_of_meaning(
+    question: Question, letter: Letter, definition: Definition, most: float, until: float
+) -> Change | None:
+    """The change of what a letter stands for with which the statement holds."""
+    known = n.letters(definition.node)
+    for change in changes(letter, definition.node, known, question.moving):
+        if time.process_time() > until or change.rank > most:
+            return None
+        if change.left == letter and _holds_with(question, letter, definition, change.right):
+            return change
     return None
 
 
@@ -462,7 +493,17 @@ def is_settled(question: Question) -> bool:
         return False
     if isinstance(question.left, Letter) and not question.at.derived:
         return False  # it may be another one
-    return _ratio(question) is not None or (is_worked_out(question) and not question.inner)
+    if _ratio(question) is not None:
+        return True
+    return _in_the_same_letters(question) if question.inner else is_worked_out(question)
+
+
+def _in_the_same_letters(question: Question) -> bool:
+    """Whether a link of a chain has the same constants on both sides, which nothing else ties."""
+    one, other = ({x for pair in question.both for x in symbols(pair[k])} for k in (0, 1))
+    ties = (each for each in question.equations if not question.moves(each))
+    tied = {x for each in ties for x in symbols(each)}
+    return one == other and not question.moves(*one) and not one & tied
 
 
 def _is_value_then(question: Question) -> bool:

@@ -128,7 +128,8 @@ class Judge:
     def _in_place(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
         """The outcome as it stands, or with what may be left unsaid if it follows so."""
         usual = self._in_context(statement, situation, context)
-        if situation.balanced:
+        if situation.balanced:  # what is said of the moment is so all the time
+            context = _staying(context, situation)
             situation = replace(situation, instant="")
         if usual[0].passed:
             return usual
@@ -141,7 +142,9 @@ class Judge:
             if outcome.passed:
                 return replace(outcome, why=each.words or outcome.why), known
             if outcome.slip and each.tells and wrong is None:
-                wrong = outcome, known
+                # As it stands it brought something, which is not so.
+                before = context.knowing(letters_in(statement))
+                wrong = outcome, known if each.lasts else before
         if self._solves(statement, situation, context):
             return Outcome(SAMPLED, "it solves what stands above"), usual[1]
         return wrong if wrong is not None and is_open else usual
@@ -339,6 +342,14 @@ def braces(statement: Statement) -> Iterator[n.Braced]:
         is_count = isinstance(brace.label, n.Number) and brace.label != ZERO
         if brace.label is not None and not is_count:
             yield brace
+
+
+def _staying(context: Context, at: Situation) -> Context:
+    """What is known where that which is so at an instant is so as long as one sentence speaks."""
+    there = [c for c in context.constraints if c.instant and c.instant == at.instant]
+    for each in there:
+        context = context.holding(replace(each, instant="", until=at.sentence))
+    return context
 
 
 def _with_open(statement: Statement, at: Situation, context: Context) -> Context:

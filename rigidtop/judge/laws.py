@@ -273,7 +273,7 @@ def lagrange(
         return []
     L, tied = _in_rates(L, given, context.habits.moving)
     rests_on |= tied
-    q = coordinates(L)
+    q = [x for x in coordinates(L) if x.letter not in context.habits.driven]
     own = [x for x, jet in jets(L).items() if _is_multiplier(L, x, jet)]
     ties = [] if own else [each for each in given if _is_tie(each, q)]
     made = [Residual(L.diff(x), rests_on, LAW) for x in own]

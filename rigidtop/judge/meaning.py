@@ -29,7 +29,7 @@ from rigidtop.judge.values import (
     multiplied,
     unit_times,
 )
-from rigidtop.judge.vocabulary import Meant
+from rigidtop.judge.vocabulary import Curvature, Meant
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 
@@ -171,6 +171,13 @@ def _in_space(meaning: Meaning, made: MatrixBase) -> Value:
     if basis is None or made.shape not in ((3, 1), (3, 3)):
         return made
     return ImmutableMatrix(basis * made if made.shape == (3, 1) else basis * made * basis.T)
+
+
+def _curvature(meaning: Meaning, node: Curvature) -> Value:
+    column = meaning.value(node.by)
+    if not isinstance(column, MatrixBase) or not all(x.is_Symbol for x in column):
+        raise UnclearError("derivatives by what is no column of letters")
+    return ImmutableMatrix(sympy.hessian(meaning.scalar(node.of), [*column]))
 
 
 def _transposed(meaning: Meaning, node: n.Transposed) -> Value:
@@ -323,6 +330,7 @@ _HANDLERS: dict[type[Node], Callable[[Meaning, Any], Value]] = {
     n.Total: Meaning.total,
     n.At: _at,
     n.Nabla: _gradient,
+    Curvature: _curvature,
     Meant: lambda _, node: node.value,
 }
 

@@ -75,12 +75,15 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
 class _Words:
     """The instant of which the words speak `now`, and of which they spoke in the sentence before.
 
+    The latest one of this sentence is `spoken` of.
+
     It is given by the `place`, a letter that has a value then, or by a time; `any_time` says that
     the sentence speaks of all times, `clocked` that it has said which time is meant.
     """
 
     now: str = ""
     before: str = ""
+    spoken: str = ""
     sentence: int = -1
     resting: int = -1
     place: Node | None = None
@@ -96,6 +99,7 @@ class _Words:
         over = passage.sentence == self.sentence and ends_moment(passage.before)
         if passage.sentence != self.sentence:
             self.sentence, self.before, self.now = passage.sentence, self.now, ""
+            self.spoken = ""
             self.place, self.any_time, self.clocked = None, False, False
         if isinstance(each, Statement) and _is_anywhere(each, passage):
             self.any_time, self.now = True, ""  # he has at the angle θ
@@ -111,7 +115,8 @@ class _Words:
             again = isinstance(each, Statement) and each.sides[0] == self.place
             another = not passage.display and (self.display or again)  # and at r = b
             here = f"s{self.sentence}" + (f"-{passage.start}" if another else "")
-            self.now = START if said else here if another else self.now or here
+            same = self.now or self.spoken or here
+            self.now = self.spoken = START if said else here if another else same
         self.display = passage.display
         if self.place is None and self.now and not self.display and isinstance(each, Statement):
             self.place = each.sides[0]

@@ -10,7 +10,7 @@ from sympy import Basic, Expr, Symbol
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import FORCED, LAW, RULE, SETTING, Constraint, Definition
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.faults import contradiction, is_worked_out, slip
+from rigidtop.judge.faults import FUNCTIONS, LIKELY, contradiction, is_worked_out, slip
 from rigidtop.judge.jets import TIME, jet_of, jets, rate, symbol
 from rigidtop.judge.laws import LAGRANGIANS, coordinates, highest, is_any, lagrange
 from rigidtop.judge.letters import CLOCK, FORCES, FREQUENCIES, SPEEDS
@@ -50,7 +50,7 @@ def letters(question: Question) -> Judgement | None:
     if len(new) == 1 and mistaken and not _names(question, new):
         wrong = slip(question, letter=new[0])
         if wrong is not None:
-            return wrong.outcome, context
+            return wrong.outcome, wrong.context
     if len(new) == 1:
         solved = _solved(question, new[0])
         if solved is not None:
@@ -89,8 +89,10 @@ def _square(question: Question) -> Letter | None:
 
 
 def _names(question: Question, new: Sequence[Letter]) -> bool:
-    """Whether the left side is a letter, or has none but new ones."""
-    return isinstance(question.left, Letter) or own_letters(question.left) <= {*new}
+    """Whether the left side is a letter that nothing gives, or has none but new ones."""
+    if isinstance(question.left, Letter):
+        return not (question.at.derived and _comes_out(question))
+    return own_letters(question.left) <= {*new}
 
 
 def brings(question: Question, new: Sequence[Letter]) -> Outcome:
@@ -221,7 +223,9 @@ def law(question: Question) -> Judgement | None:
         if wrong is not None:
             return wrong.outcome, wrong.context
     if own_letters(question.left) & known and not question.at.supposed:
-        against = contradiction(question)
+        orders = [jet.order for gap in question.gaps for jet in jets(gap).values()]
+        most = FUNCTIONS if max(orders, default=0) == 1 else LIKELY
+        against = contradiction(question, most)
         if against is not None:
             return against, question.context
     outcome = Outcome(PREMISE, "it is taken as it stands", question.rests_on_meaning)
@@ -336,7 +340,7 @@ def value(question: Question) -> Judgement | None:
     if not at.supposed and _comes_out(question):
         return None  # it would tie parameters to each other
     free = _free_on_the_left(question) if said or question.inner else []
-    if not free and not question.inner:
+    if not free and not question.inner and not _is_result(question):
         free = _free_in_premises(question) or _tied(question)
     if not free or not fixes(question, free):
         return None
@@ -356,6 +360,12 @@ def value(question: Question) -> Judgement | None:
     passed = at.inline and not rates and not (at.scope and at.scope[-1] < 0)
     kind = SETTING if passed or at.balanced else SUPPOSED
     return outcome, context.holding(question.constraint(kind))
+
+
+def _is_result(question: Question) -> bool:
+    """Whether the left side is made of letters that come out, as amplitudes do, and not free."""
+    names = own_letters(question.left)
+    return bool(names) and names <= question.context.results
 
 
 def _comes_out(question: Question) -> bool:

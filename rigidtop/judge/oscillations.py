@@ -100,8 +100,23 @@ def _squares(question: Question, name: Letter) -> list[tuple[frozenset[int], Exp
 
     Those of the letter of which the name has the index, if it has one: ω_x.
     """
-    equations = []
     own = [x for x in question.moving if x.base == name.sub]
+    squares = []
+    for gap, rests_on in equations_of_motion(question, own):
+        square = _square(gap, question)
+        if square is not None:
+            squares.append((rests_on, square))
+    return squares
+
+
+def equations_of_motion(
+    question: Question, own: Sequence[Letter] = ()
+) -> list[tuple[Expr, frozenset[int]]]:
+    """What vanishes by the equations of motion above, or by laws, with what says so.
+
+    If letters are its `own`, only the equations of their accelerations.
+    """
+    equations = []
     for each in question.context.accelerations:
         with suppress(UnclearError):
             nodes = [x for side in (each.left, each.right) for x in n.walked(side)]
@@ -112,12 +127,7 @@ def _squares(question: Question, name: Letter) -> list[tuple[frozenset[int], Exp
             gap = meaning.scalar(each.left) - meaning.scalar(each.right)
             equations.append((gap, frozenset({each.number})))
     laws = [(x.expression, x.rests_on) for x in question.pool if x.kind == LAW]
-    squares = []
-    for gap, rests_on in equations or laws:
-        square = _square(gap, question)
-        if square is not None:
-            squares.append((rests_on, square))
-    return squares
+    return equations or laws
 
 
 def _square(gap: Expr, question: Question) -> Expr | None:

@@ -9,7 +9,7 @@ import numpy as np
 from sympy import Add, Expr, Integral, MatrixBase, Piecewise, Rational, Symbol
 
 from rigidtop.judge import worlds
-from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, Definition
+from rigidtop.judge.context import PREMISE, SETTING, START, Constraint, Context, Definition
 from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import Residual, residuals
 from rigidtop.judge.letters import CLOCK
@@ -181,7 +181,11 @@ def solves(question: Question, value: Expr, begins: bool = True) -> bool:
     solved = {each.constraint for each in own_laws}
     left = tuple(c for c in path.context.constraints if c not in solved)
     if not question.new_letters:  # else they say what the new letters are
-        starts = tuple(c for c in left if c.instant and path.letter in c.letters)
+        said = [c for c in left if c.instant and path.letter in c.letters]
+        # Whether it is so at a moment of which no time is known, as "in the end", is not seen.
+        timed = {START, *path.context.instants}
+        starts = tuple(c for c in said if c.instant in timed)
+        left = tuple(c for c in left if c in starts or c not in said)
         tried = Definition(Meant(value), question.at.number, question.at.scope)
         begun = residuals(
             replace(path.context.defining(path.letter, tried), constraints=starts),

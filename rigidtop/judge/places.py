@@ -125,13 +125,16 @@ def _zeros(statement: Statement, at: Situation, context: Context) -> list[Node]:
 
 
 def _slopes(statement: Statement, context: Context) -> list[Node]:
-    """The slopes of what the line above is about by the letter that is given a value."""
+    """The slopes of what the line above is about by the letter that is given a value.
+
+    Where none is given one, by any letter of which the statement says something.
+    """
     side = statement.sides[0]
     letter = side.base if isinstance(side, Power) else side
-    if not isinstance(letter, Letter):
-        return []
-    bare = letter if letter in context.letters else replace(letter, sub="")
-    return [Derivative(context.said[-1], (bare,))] if bare in letters(context.said[-1]) else []
+    names = {letter} if isinstance(letter, Letter) else letters_in(statement)
+    bare = {x if x in context.letters else replace(x, sub="") for x in names}
+    said = context.said[-1]
+    return [Derivative(said, (x,)) for x in sorted(bare & letters(said), key=str)]
 
 
 def _vanishing(context: Context, at: Situation, sides: Iterable[Node]) -> Context:

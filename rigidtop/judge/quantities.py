@@ -67,8 +67,8 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
     outcome, context = judgement
     left = question.left
     letter = left.base if isinstance(left, n.Power) else named(left)[0]
-    known = question.context.definitions.keys() | (question.moving - {SPEED})
-    new = isinstance(letter, Letter) and letter not in known
+    named_already = question.context.definitions.keys() | (question.moving - {SPEED})
+    new = isinstance(letter, Letter) and letter not in named_already
     if outcome.verdict not in (DEFINITION, PREMISE) or question.inner or not new:
         return judgement
     if question.at.inline and not question.at.derived and not question.at.instant:
@@ -79,9 +79,19 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
             asked = _asked(question, letter, each)
             if asked.worlds.count and asked.left != asked.right and asked.holds():
                 rests_on = asked.rests_on - {question.at.number}
-                return Outcome(SAMPLED, f"it is {each.words}", rests_on), context
+                known = _lasting(question, letter, context)
+                return Outcome(SAMPLED, f"it is {each.words}", rests_on), known
     wrong = _wrong(question, letter)
     return judgement if wrong is None else wrong
+
+
+def _lasting(question: Question, letter: Letter, context: Context) -> Context:
+    """What is known of a letter that is constant, also where it is said of one moment."""
+    constant = question.left == letter and letter not in question.moving
+    if not constant or letter in context.definitions or question.moves(*question.gaps):
+        return context
+    definition = Definition(question.right, question.at.number, question.at.scope)
+    return context.defining(letter, definition)
 
 
 def _asked(question: Question, letter: Letter, quantity: Quantity) -> Question:
@@ -128,6 +138,7 @@ def _quantities(question: Question, letter: Letter) -> Iterator[Quantity]:
     if entry is not None:
         yield Quantity(_ENTRY, Meant(entry))
     yield from _in_a_case(question.context, letter)
+    yield from _of_another(question, letter)
     if letter.sub in _EXTREMES:
         yield from _extremes(question, letter)
 
@@ -141,6 +152,25 @@ def _in_a_case(context: Context, letter: Letter) -> Iterator[Quantity]:
     there = any(x.sub == letter.sub and x != letter for x in others)
     if letter.sub and there and bare in context.letters:
         yield Quantity(f"{in_words(bare)} there", bare)
+
+
+def _of_another(question: Question, letter: Letter) -> Iterator[Quantity]:
+    """What the letter without its index is with others of that index in place, or added.
+
+    T₁ = 2π √((J + J₁)/D) after T = 2π √(J/D).
+    """
+    context, bare = question.context, replace(letter, sub="")
+    values = [c.right for c in context.followed if c.left == bare and not c.instant]
+    values += [context.definitions[bare].node] if bare in context.definitions else []
+    own = {x: replace(x, sub="") for x in own_letters(question.right) if x.sub == letter.sub}
+    if not letter.sub or not values or not own.keys() - {letter}:
+        return
+    for added in (False, True):
+        node = values[-1]
+        for other, plain in own.items():
+            node = n.replaced(node, plain, n.Group(n.Sum((plain, other))) if added else other)
+        if node != values[-1]:
+            yield Quantity(f"what {in_words(bare)} is of the other", node)
 
 
 def _momenta(question: Question) -> Iterator[Quantity]:
@@ -440,19 +470,26 @@ _NEAR = 1e-4
 
 
 def _extremes(question: Question, letter: Letter) -> Iterator[Quantity]:
-    """The greatest or the least value of what has the same base."""
-    base = replace(letter, sub="")
+    """The greatest or the least value of what has the same base, or one where a slope vanishes."""
+    base, context = replace(letter, sub=""), question.context
+    if base not in context.definitions:
+        return
+    words = f"an extreme value of {in_words(base)}"
     with suppress(UnclearError):
         value = question.meaning().value(base)
         right = question.meaning().scalar(question.right)
-        if isinstance(value, MatrixBase) or base not in question.context.definitions:
+        if isinstance(value, MatrixBase):
             return
         for x in _runs(value, question):
             which = letter.sub if letter.sub in ("max", "min") else ""
             if not right.has(x) and _is_extreme(value, right, x, which):
-                words = f"an extreme value of {in_words(base)}"
                 yield Quantity(words, Meant(right))
                 return
+        at, kept = question.at, own_letters(question.right)
+        for x in sorted(own_letters(context.definitions[base].node) - kept, key=str):
+            slope = n.Derivative(base, (x,))
+            there = Constraint(slope, ZERO, at.number, SETTING, at.scope, "", at.sentence)
+            yield Quantity(words, base, context.holding(there))
 
 
 def _runs(value: Expr, question: Question) -> list[Symbol]:

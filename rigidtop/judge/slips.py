@@ -214,6 +214,21 @@ def _single(
             if n.letters(node):
                 yield n.Power(n.Group(node), Number("2")), f"{plain(node)} squared", 2.2
             yield from _exchanged(over, under)
+            yield from _of_the_other_sum(over, under)
+
+
+def _of_the_other_sum(over: Node, under: Node) -> Iterator[tuple[Node, str, float]]:
+    """A fraction with a term of the sum above or below that the other one lacks."""
+    above, below = _summands(over), _summands(under)
+    for term in (x for x in below if x not in above and len(below) > 1):
+        yield n.Quotient(n.Sum((*above, term)), under), f"{plain(_bare(term))} above, too", 2.9
+    for term in (x for x in above if x not in below and len(above) > 1):
+        yield n.Quotient(over, n.Sum((*below, term))), f"{plain(_bare(term))} below, too", 2.9
+
+
+def _summands(node: Node) -> tuple[Node, ...]:
+    bare = n.ungrouped(node)
+    return bare.terms if isinstance(bare, n.Sum) else (bare,)
 
 
 def _exchanged(over: Node, under: Node) -> Iterator[tuple[Node, str, float]]:

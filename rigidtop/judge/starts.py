@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rigidtop.judge.context import PREMISE, SETTING, START, Constraint, Context
+from rigidtop.judge.context import PREMISE, SETTING, START, Constraint, Context, Definition
 from rigidtop.judge.letters import CLOCK, COORDINATES, PLACES, SPEED, SPEEDS
 from rigidtop.judge.sides import letters_in
+from rigidtop.judge.situation import Situation
 from rigidtop.tree.nodes import (
     Derivative,
     Letter,
@@ -16,6 +17,7 @@ from rigidtop.tree.nodes import (
     Power,
     Product,
     Rate,
+    Tuple,
     letters,
     walked,
 )
@@ -72,6 +74,25 @@ def with_acceleration(context: Context, number: int) -> Context | None:
     if not {acceleration, place} <= context.letters:
         return None
     return context.holding(Constraint(acceleration, Rate(place, 2), number, PREMISE))
+
+
+def with_coordinates(statement: Statement, at: Situation, context: Context) -> Context | None:
+    """What is known where **r** is (x, y, z), and **v** its rate; None if nothing is free so.
+
+    A coordinate that does not move anywhere in the text is zero.
+    """
+    place, velocity = Letter("r", bold=True), Letter("v", bold=True)
+    axes = [*map(Letter, "xyz")]
+    if not letters_in(statement) & context.habits.moving & {*axes}:
+        return None
+    entries = tuple(x if x in context.habits.moving else Number("0") for x in axes)
+    columns = {place: Tuple(entries), velocity: Tuple(tuple(Rate(x, 1, True) for x in entries))}
+    free = context.letters - context.definitions.keys()
+    made = context
+    for vector, column in columns.items():
+        if vector in free:
+            made = made.defining(vector, Definition(column, at.number, at.scope))
+    return made if made is not context else None
 
 
 def with_force(statement: Statement, context: Context, number: int) -> Context | None:

@@ -9,11 +9,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from rigidtop.judge import neighbours, places, states
-from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.context import SETTING, START, Constraint, Context, Definition
+from rigidtop.judge.habits import bare
 from rigidtop.judge.laws import LAGRANGIANS
+from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.starts import with_acceleration, with_energy, with_force
+from rigidtop.judge.starts import with_acceleration, with_coordinates, with_energy, with_force
 from rigidtop.judge.vocabulary import Meant, Memory
 from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
@@ -42,7 +44,8 @@ def suppositions(
 ) -> Iterator[Supposition]:
     """What may be meant with a statement that does not follow; it may be wrong unless `is_open`."""
     for each in _possible(statement, at, context, memory, is_open):
-        if each.context is not context or each.statement is not statement:
+        same = each.context is context and each.statement is statement
+        if not same or each.situation.instant != at.instant:
             yield each
 
 
@@ -57,10 +60,14 @@ def _possible(
     yield Supposition(statement, at, stated or context, tells=True)
     alike = places.alike(at, context)
     yield Supposition(statement, at, alike or context, lasts=True, tells=True)
+    equal = _both_equal(at, context)
+    yield Supposition(statement, at, equal or context, lasts=True, tells=True)
     numbered = _with_indices(statement, at, context)
     yield Supposition(statement, at, numbered or context)
     weighed = _with_gravity(statement, at, context)
     yield Supposition(statement, at, weighed or context, words="with g = 9.81 m/s²")
+    columns = with_coordinates(statement, at, context)
+    yield Supposition(statement, at, columns or context, lasts=True, tells=True)
     begun = places.begun(statement, at, context)
     if begun is not None:
         yield Supposition(statement, at, with_energy(begun, at.number, at.scope), lasts=True)
@@ -77,9 +84,42 @@ def _possible(
         yield Supposition(statement, at, thrown or context, words="with no potential energy")
         forced = with_force(statement, context, at.number)
         yield Supposition(statement, at, forced or context, lasts=True, tells=True)
+    anywhere = Cue.GENERAL in at.cues
+    if not anywhere and (not at.instant or not _is_placed(at.instant, context)):
+        then = _at_the_latest_moment(statement, at, context)
+        yield Supposition(statement, then or at, context, words="at that moment")
+        timed = _at_the_latest_time(statement, context)
+        always = replace(at, instant="") if timed is not None else at
+        yield Supposition(timed or statement, always, context, words="at that time")
     for there in places.placed(statement, at, context):
         changed = places.with_rates(statement, context)
         yield Supposition(changed, at, there, tells=True)
+
+
+def _at_the_latest_moment(
+    statement: Statement, at: Situation, context: Context
+) -> Situation | None:
+    """Where something that moves is said to be at the moment of which the text spoke last."""
+    moments = [c.instant for c in context.constraints if c.instant not in ("", START)]
+    value = bare(statement.sides[0])
+    if not moments or value not in context.habits.moving:
+        return None
+    return replace(at, instant=moments[-1])
+
+
+def _is_placed(instant: str, context: Context) -> bool:
+    """Whether it is known when an instant is, or what is so then."""
+    return instant in context.instants or any(c.instant == instant for c in context.constraints)
+
+
+def _at_the_latest_time(statement: Statement, context: Context) -> Statement | None:
+    """What is said of something that moves as what it is at the time t₁ that was found last."""
+    times = {x: d.number for x, d in context.definitions.items() if x.base == CLOCK.base and x.sub}
+    side, *others = statement.sides
+    if not times or side not in context.habits.moving & context.definitions.keys():
+        return None
+    place = n.At(side, CLOCK, max(times, key=times.__getitem__))
+    return replace(statement, sides=(place, *others))
 
 
 def _accelerates(statement: Statement) -> bool:
@@ -98,6 +138,15 @@ def _without_potential(at: Situation, context: Context) -> Context | None:
     return context.defining(LAGRANGIANS[0], Definition(kinetic, at.number, at.scope))
 
 
+def _both_equal(at: Situation, context: Context) -> Context | None:
+    """What is known where the last two letters that stand for something are equal, by the words."""
+    named = {x: d for x, d in context.definitions.items() if not isinstance(d.node, Letter)}
+    if Cue.BOTH_EQUAL not in at.cues or len(named) < 2:
+        return None
+    one, other = sorted(named, key=lambda x: named[x].number)[-2:]
+    return context.holding(Constraint(one, other, at.number, SETTING, at.scope))
+
+
 def _with_indices(statement: Statement, at: Situation, context: Context) -> Context | None:
     """What is known where new letters with an index are what those without it are, of that index.
 
@@ -108,11 +157,11 @@ def _with_indices(statement: Statement, at: Situation, context: Context) -> Cont
     made = context
     new = sorted((x for x in letters_in(statement) - context.letters if x.sub), key=str)
     bases = [replace(x, sub="") for x in new]
-    for name, bare in zip(new, bases, strict=True):
-        if bases.count(bare) < 2:
+    for name, base in zip(new, bases, strict=True):
+        if bases.count(base) < 2:
             continue  # one of them alone may be another body's
-        known = context.definitions.get(bare)
-        value = known.node if known is not None else found.get(bare)
+        known = context.definitions.get(base)
+        value = known.node if known is not None else found.get(base)
         if value is None or isinstance(value, Meant):
             continue
         own = {x: replace(x, sub=name.sub) for x in letters(value) if not x.sub}

@@ -13,9 +13,9 @@ from rigidtop.judge.ahead import explained_first
 from rigidtop.judge.context import SETTING, START, Constraint, Context, Habits, Limit, has_unit
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
-from rigidtop.judge.letters import is_mass
+from rigidtop.judge.letters import CLOCK, is_mass
 from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time, time_of
-from rigidtop.judge.outcome import DEFINITION, UNDECIDED, UNREAD, Outcome
+from rigidtop.judge.outcome import DEFINITION, SAMPLED, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import LATE, Read, read_text
 from rigidtop.judge.sides import letters_in
@@ -134,6 +134,7 @@ def reading(source: str, macros: Macros | None = None, until: float = inf) -> Re
         habits,
         massless=not weighed and _MASS.search(source) is None,
         weightless=_WEIGHT.search(source) is None,
+        driven=_driven(read),
     )
     moments = instants(read, habits.moving)
     asked = (
@@ -144,6 +145,30 @@ def reading(source: str, macros: Macros | None = None, until: float = inf) -> Re
         for number, ((passage, each), moment) in enumerate(zip(read, moments, strict=True))
     )
     return Reading(tuple(explained_first(asked)), habits, declared_letters(source))
+
+
+def _driven(read: Read) -> frozenset[Letter]:
+    """The letters whose motion is given by the words: "X(t) is prescribed"."""
+    said = [
+        n.ungrouped(each.sides[0])
+        for passage, each in read
+        if isinstance(each, Statement) and len(each.sides) == 1
+        if _GIVEN.match(passage.behind) or _GIVE.search(passage.before)
+    ]
+    functions = (x.function for x in said if isinstance(x, n.Call) and x.places == (CLOCK,))
+    return frozenset(x for x in functions if isinstance(x, Letter))
+
+
+_GIVEN = re.compile(
+    r",? ?(?:is|are|as|ist|est)? ?(?:an? |eine? |une? )?"
+    r"(?:given|prescribed|imposed|known|(?:vor)?gegeben|vorgeschrieben|bekannt|donnée?|imposée?)",
+    re.I,
+)
+_GIVE = re.compile(
+    r"\b(?:given|prescribed?|imposed?|known|gegeben\w*|vorgeschrieben\w*|donnée?|imposée?)"
+    r"(?: [\w-]+){0,3} ?\Z",
+    re.I,
+)
 
 
 def steps(read: Reading, until: float = inf, made: Sequence[Step] = ()) -> Iterator[Step]:
@@ -202,13 +227,14 @@ def _step(
     context = with_velocities(each, context, asked.number)
     at = situation(passage, asked.number, moment, passage.scope != scope, read.names)
     at = replace(at, case=asked.is_case)
-    measured = is_time(each) and has_unit(each.sides[-1])
-    if measured and not read.habits.moving:
-        at = replace(at, instant="")  # where nothing has a rate the time is a number like others
+    if has_unit(each.sides[-1]) and not read.habits.moving:
+        at = replace(at, instant="")  # where nothing has a rate numbers do not change in time
     if at.instant and is_time(each):
         outcome = Outcome(UNDECIDED)
         if at.instant != START and at.instant not in context.instants:
             outcome, _ = in_time(judge, each, at, context, until)
+            if outcome.passed is None and _is_then(judge, each, at, context, until):
+                outcome = replace(outcome, verdict=SAMPLED, why="it is so then")
         context = replace(context, instants={**context.instants, at.instant: time_of(each)})
         return row(outcome if outcome.passed else Outcome(DEFINITION, "a moment")), context
     outcome, context = in_time(judge, each, at, context, until)
@@ -253,6 +279,18 @@ def _tending(node: n.Node, passage: Passage, context: Context) -> Context:
         return context
     limit = Limit(node, words[1] is None, passage.sentence)
     return replace(context, limits=(*context.limits, limit))
+
+
+def _is_then(judge: Judge, each: Statement, at: Situation, context: Context, until: float) -> bool:
+    """Whether what is so at an instant is so at the time that is said of it."""
+    there = [c for c in context.constraints if c.instant == at.instant]
+    others = tuple(c for c in context.constraints if c.instant != at.instant)
+    instants = {**context.instants, at.instant: time_of(each)}
+    known = replace(context, constraints=others, instants=instants)
+    asked = (Statement((c.left, c.right), ("=",), each.position) for c in there)
+    return bool(there) and all(
+        in_time(judge, x, replace(at, cues=frozenset()), known, until)[0].passed for x in asked
+    )
 
 
 def in_time(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -27,6 +28,14 @@ class Meant(Node):
     """An expression in place of a formula: what was solved for a letter."""
 
     value: Value
+
+
+@dataclass(frozen=True, slots=True)
+class Curvature(Node):
+    """The matrix of the second derivatives of a function by the entries of a column."""
+
+    of: Node
+    by: Node
 
 
 @dataclass
@@ -134,7 +143,21 @@ class Vocabulary(ABC):
     def definition(self, letter: Letter) -> Definition | None:
         found = self.context.definitions.get(letter)
         self.consulted[letter] = found
-        return found
+        return found if found is not None else self._neighbour(letter)
+
+    def _neighbour(self, letter: Letter) -> Definition | None:
+        """What x_{n+1} stands for where x_n is given by n."""
+        shift = re.fullmatch(r"([a-z])([+-])([0-9])", letter.sub)
+        if shift is None:
+            return None
+        index, step = Letter(shift[1]), n.Number(shift[3])
+        own = replace(letter, sub=shift[1])
+        known = self.context.definitions.get(own)
+        self.consulted[own] = known
+        if known is None or index not in n.letters(known.node):
+            return None
+        place = n.Sum((index, step if shift[2] == "+" else n.Negative(step)))
+        return replace(known, node=n.replaced(known.node, index, n.Group(place)))
 
     def index_of(self, letter: Letter) -> str:
         """The index of particles in its name, or that of a body in which it differs."""

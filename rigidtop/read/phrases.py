@@ -69,6 +69,8 @@ class Cue(Enum):
     """It is one of several motions, and not the one from the start."""
     EQUAL_MASSES = auto()
     """It holds for equal masses."""
+    BOTH_EQUAL = auto()
+    """The last two things that have been given a name are equal."""
     CIRCLE = auto()
     """It holds on a circle."""
     OSCILLATION = auto()
@@ -278,7 +280,10 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
     Cue.EXTREME: (
         r"\b(?:greatest|largest|highest|maximum|maximal|smallest|least|lowest|minimum|minimal"
         r"|farthest|furthest|widest|longest|shortest|quickest|fastest|slowest|best)"
-        r"(?! (?:point|position|lage))(?: [\w'-]+){0,6} (?:at|for|if|when|where|is at|occurs?)\b",
+        r"(?! (?:point|position|lage))"
+        r"(?:(?: [\w'-]+){0,6} (?:at|for|if|when|where|is at|occurs?)\b|:?\Z)",
+        r"\b(?:derivative|slope)(?: [\w'§-]+){0,5} (?:vanishes|is zero|be zero|equal to zero)\b",
+        r"\b(?:stationary|extremal|optim\w+|minimi[sz]e\w*|maximi[sz]e\w*)\b",
         r"\b(?:größte\w*|maximal\w*|kleinste\w*|minimal\w*|Maximum|Minimum)(?: [\w'-]+){0,4}"
         r" (?:bei|für|wenn|wo)\b",
         r"\b(?:l[ea] plus (?:grande?|petite?)|maximale?|minimale?|maximum|minimum)"
@@ -301,13 +306,21 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r" (?:masses|bodies|balls|weights|loads|pucks|particles|carts)"
         r"|gleiche[nr]? Massen|masses égales)\b",
     ),
+    Cue.BOTH_EQUAL: (
+        r"\b(?:both|the two|the two \w+|these|these two|they)(?: \w+)?"
+        r" (?:are|must be|have to be|become) equal\b"
+        r"|\b(?:both|the two|these|they)(?: \w+)? (?:cancel|balance)(?: each other| out)?\b"
+        r"|\bbeide(?: \w+)? (?:sind )?(?:gleich(?: groß)?|einander gleich)\b"
+        r"|\b(?:les deux|elles)(?: \w+)? (?:sont égale?s?|se compensent|s'équilibrent)\b",
+    ),
     Cue.CIRCLE: (r"\b(?:on an? (?:\w+ )?circle|circular|Kreisbahn\w*|circulaire)\b",),
     Cue.OSCILLATION: (
         r"\b(?:\w*(?:frequen[cz]|fréquen|pulsation|oscill|vibrat|swing|schwing|librat|hunting)"
         r"|periods?\b|Perioden?\b|périodes?\b)",
     ),
     Cue.GENERAL: (
-        r"\b(?:in general|generally|(?<!lands )(?<!back )(?<!stops )(?<!rises )(?<!falls )again"
+        r"\b(?:in general|generally"
+        r"|(?<!lands )(?<!back )(?<!stops )(?<!rises )(?<!falls )(?<!§ )again"
         r"|exact(?:ly)?|without (?:the |this )?approximations?"
         r"|on the other hand|(?:for|at|in) (?:any|all|every|each)(?: other)?(?:\Z| (?:times?|t\b|§"
         r"|moments?|points?|places?|positions?|distances?|angles?|instants?|motions?))"
@@ -375,7 +388,8 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"\b(?:en|(?<!rapport )à|lorsque|quand|à l'instant)",
         r"(?:^|[.;¶] ?)(?:when|once|as soon as|wenn|sobald|quand|lorsque|dès que) [^,;:.§]{0,40}"
         r"\b(?:has|have|reach\w*|arrives?|comes?|stops?|hat|ist|erreicht|ankommt|atteint|arrive"
-        r"|s'arrête|a)\b[^,;:.§]{0,40},",
+        r"|s'arrête|a|(?:is|are) (?:used up|gone|burnt|burned|spent|over|left|unwound|verbraucht))"
+        r"\b[^,;:.§]{0,40},",
         r"\b(?:obtained|reached|found|follows|occurs|happens|ergibt sich|erreicht|folgt|gilt"
         r"|s'obtient|atteinte?) (?:for|für|pour)",
         r"\b(?:thrown|launched|shot|fired|projected|geworfen|lancée?)\b[^.;:§]{0,30}"

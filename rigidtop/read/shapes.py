@@ -137,9 +137,9 @@ def head_of(items: Sequence[Token]) -> Head | None:
         else:
             by[-1].append(token)
     repeated: list[list[Token]] = []
+    if any(not part or part[0].text == "_" for part in by) or (over and over[0].text == "_"):
+        return None  # d with an index is a letter
     for part in by:
-        if not part:
-            return None
         times = 1
         if len(part) > 2 and part[-2].text == "^" and written(part[-1:]).isdecimal():
             times, part = min(int(written(part[-1:])), 9), part[:-2]

@@ -486,14 +486,15 @@ $$\omega_2 = \dot\phi\sin\theta\cos\psi + \dot\theta\sin\psi$$
 $$\omega_1\sin\psi + \omega_2\cos\psi = \dot\phi\sin\theta$$""")
     )
     assert outcome.passed is False
-    assert outcome.why.startswith("it contradicts what ω₂ stands for")
+    assert outcome.why == "it contradicts one of the lines that it rests on"
+    assert outcome.right.count(r"\omega_") == 2
 
 
 def test_a_period_with_another_body_is_no_slip_in_the_one_without():
     text = r"""$$J\ddot\phi = -D\phi$$
 The period is $$\tau = 2\pi\sqrt{\frac JD}$$
 With a second body the period becomes $$\tau_1 = 2\pi\sqrt{\frac{J + J_1}{D}}$$"""
-    assert [row.outcome.passed for row in judged(text)] == [None, True, None]
+    assert [row.outcome.passed for row in judged(text)] == [None, True, True]
 
 
 def test_what_it_is_thrown_with_is_no_value_where_it_turns():

@@ -165,6 +165,7 @@ CUES = {
     "The negative root is $$b=c$$": ["NEGATIVE"],
     "It is greatest for $$b=c$$": ["EXTREME"],
     "For equal masses $$a=b$$": ["EQUAL_MASSES"],
+    "There both are equal: $$b=c$$": ["BOTH_EQUAL MOMENT"],
     "A particular solution is $$b=c$$": ["PARTICULAR"],
     "It holds (not at the poles, where $a=b$).": ["DEFINED EXCEPTED"],
     "On a circle of radius $a$ we have $$b=c$$": ["CIRCLE DERIVED"],
