@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -403,8 +404,14 @@ def base_of(x: Symbol) -> object:
 @lru_cache(maxsize=20_000)
 def bases_of(expression: Expr) -> frozenset[object]:
     """The letters of an expression, and the unknown functions in it, but for the time."""
-    functions = {x.func for x in expression.atoms(AppliedUndef)}
+    functions = {x.func for x in functions_in(expression)}
     return frozenset({base_of(x) for x in symbols(expression)} - {TIME} | functions)
+
+
+@lru_cache(maxsize=20_000)
+def functions_in(expression: Expr) -> frozenset[Expr]:
+    """The unknown functions in an expression, each at its places."""
+    return frozenset(expression.atoms(AppliedUndef))
 
 
 def related(asked: Iterable[Expr], pool: Sequence[Residual]) -> list[Residual]:
@@ -414,13 +421,15 @@ def related(asked: Iterable[Expr], pool: Sequence[Residual]) -> list[Residual]:
     left = [(each, bases_of(each.expression)) for each in pool]
     grown = True
     while grown:
-        grown = False
-        for each, own in list(left):
+        apart = []
+        for each, own in left:
             if own & need:
-                left.remove((each, own))
                 chosen.append(each)
                 need |= own
-                grown = True
+            else:
+                apart.append((each, own))
+        grown = len(apart) < len(left)
+        left = apart
     return chosen
 
 
@@ -449,10 +458,9 @@ def _prolonged(residual: Residual, orders: dict[object, int], context: Context) 
         return _everywhere(residual.expression, residual.constraint, context)
     moving = context.habits.moving
     here = residual.expression
-    unknown = here.atoms(AppliedUndef)
     if (
-        here.has(TIME)
-        and not unknown
+        TIME in symbols(here)
+        and not functions_in(here)
         and all(not j.order and j.letter not in moving for j in jets(here).values())
     ):
         # Nothing in it moves but the time: it holds at every time.
@@ -460,17 +468,54 @@ def _prolonged(residual: Residual, orders: dict[object, int], context: Context) 
             here.xreplace({TIME: sympy.Rational(k, 7)}) for k in range(1, INSTANTS_OF_TIME)
         ]
     for _ in range(3):
+        if _rises_beyond(here, orders, moving):
+            break
         here = rate(here, moving)
-        beyond = any(n > orders.get(x, 0) for x, n in _orders([here]).items())
-        if here == 0 or beyond or operations(here) > LARGEST:
+        if here == 0 or _is_beyond(here, orders) or operations(here) > LARGEST:
             break
         made.append(here)
     return made
 
 
+def _is_beyond(expression: Expr, orders: dict[object, int]) -> bool:
+    """Whether a rate in it is of a higher order than any that is asked."""
+    return any(n > orders.get(x, 0) for x, n in _orders([expression]).items())
+
+
+def _rises_beyond(expression: Expr, orders: dict[object, int], moving: frozenset[Letter]) -> bool:
+    """Whether it is seen that its rate would be beyond, before that is worked out.
+
+    The rate of a letter that stands in one place alone can't be cancelled by anything.
+    """
+    return any(
+        jet.order + 1 > orders.get((jet.letter, jet.place, jet.instant), 0)
+        for x, jet in jets(expression).items()
+        if not jet.instant
+        and (jet.order or jet.letter in moving)
+        and x in standing_once(expression)
+    )
+
+
+@lru_cache(maxsize=20_000)
+def standing_once(expression: Expr) -> frozenset[Symbol]:
+    """The letters that stand in one place of an expression and in no other."""
+    return frozenset(x for x, count in _counts(expression).items() if count == 1)
+
+
+@lru_cache(maxsize=20_000)
+def _counts(node: Expr) -> Mapping[Symbol, int]:
+    """In how many places each letter stands."""
+    if node.is_Symbol:
+        return {node: 1}
+    made: Counter[Symbol] = Counter()
+    for part in node.args:
+        made.update(_counts(part))
+    return made
+
+
 def _everywhere(expression: Expr, constraint: Constraint, context: Context) -> list[Expr]:
     """What holds at every place, at a few of them, where it is known what the function is."""
-    if expression.atoms(AppliedUndef):
+    if functions_in(expression):
         return [expression]
     functions = context.habits.functions
     names = letters(constraint.left) | letters(constraint.right)
