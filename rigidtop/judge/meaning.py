@@ -24,9 +24,12 @@ from rigidtop.judge.values import (
     UnclearError,
     Value,
     added,
+    crossed,
+    dotted,
     length,
     matrix_product,
     multiplied,
+    scaled,
     unit_times,
 )
 from rigidtop.judge.vocabulary import Curvature, Meant
@@ -76,7 +79,7 @@ def _power(meaning: Meaning, node: n.Power) -> Value:
     if isinstance(base, MatrixBase):
         if base.shape[1] == 1:
             if exponent.is_Integer and exponent.is_even and exponent > 0:
-                return base.dot(base) ** (exponent / 2)
+                return dotted(base, base) ** (exponent / 2)
             raise UnclearError("a power of a vector")
         if not exponent.is_Integer or base.rows != base.cols:
             raise UnclearError("a power of a matrix")
@@ -99,7 +102,7 @@ def _dot(meaning: Meaning, node: n.Dot) -> Value:
     left, right = meaning.value(node.left), meaning.value(node.right)
     if isinstance(left, MatrixBase) and isinstance(right, MatrixBase):
         if left.shape == right.shape and left.shape[1] == 1:
-            return left.dot(right)
+            return dotted(left, right)
         return matrix_product(left, right)
     return left * right
 
@@ -116,14 +119,14 @@ def _cross(meaning: Meaning, node: n.Cross) -> Value:
         if left == 0 or right == 0:
             return sympy.zeros(3, 1)
         raise UnclearError("× between what are no vectors of three components")
-    return left.cross(right)
+    return crossed(left, right)
 
 
 def _quotient(meaning: Meaning, node: n.Quotient) -> Value:
     under = meaning.scalar(node.under)
     if under == 0:
         raise UnclearError("a division by zero")
-    return meaning.value(node.over) / under
+    return scaled(meaning.value(node.over), 1 / under)
 
 
 def _matrix(meaning: Meaning, node: n.Matrix) -> Value:
@@ -170,7 +173,8 @@ def _in_space(meaning: Meaning, made: MatrixBase) -> Value:
     basis = meaning.context.basis
     if basis is None or made.shape not in ((3, 1), (3, 3)):
         return made
-    return ImmutableMatrix(basis * made if made.shape == (3, 1) else basis * made * basis.T)
+    turned = matrix_product(basis, made)
+    return turned if made.shape == (3, 1) else matrix_product(turned, basis.T)
 
 
 def _curvature(meaning: Meaning, node: Curvature) -> Value:
@@ -193,7 +197,7 @@ def _taken(meaning: Meaning, node: n.Component) -> Value:
     if not isinstance(value, MatrixBase) or node.index not in names:
         raise UnclearError("a component of what is no vector")
     basis = meaning.context.basis
-    value = value if basis is None or value.shape != (3, 1) else basis.T * value
+    value = value if basis is None or value.shape != (3, 1) else matrix_product(basis.T, value)
     return value[names.index(node.index)]
 
 
@@ -206,7 +210,7 @@ def _rate_of(meaning: Meaning, node: n.Rate) -> Value:
         if not isinstance(vector, MatrixBase) or vector.shape != (3, 1):
             raise UnclearError(f"a rate seen from {node.frame} of what is no vector")
         for _ in range(node.order):
-            vector = meaning.rate(vector) - turning.cross(vector)
+            vector = meaning.rate(vector) - crossed(turning, vector)
         return vector
     return meaning.differentiated(meaning.value(node.of), node.order)
 

@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import Any
 
 import sympy
-from sympy import Expr, Float, ImmutableMatrix, Integer, MatrixBase, Symbol
+from sympy import Expr, Float, ImmutableMatrix, Integer, MatrixBase, S, Symbol
 from sympy.core.function import AppliedUndef
 
 from rigidtop.judge.jets import TIME, operations, symbols
@@ -64,7 +64,7 @@ def unit_times(value: Value, other: Value) -> Value:
 
 def length(value: Value) -> Expr:
     if isinstance(value, MatrixBase):
-        return sympy.sqrt(value.dot(value))
+        return sympy.sqrt(dotted(value, value))
     return sympy.Abs(value)
 
 
@@ -95,16 +95,67 @@ def in_one_space(vectors: Sequence[MatrixBase]) -> list[MatrixBase]:
 def matrix_product(left: MatrixBase, right: MatrixBase) -> Value:
     if left.shape[1] != right.shape[0]:
         raise UnclearError("a product of vectors, or of matrices that do not fit")
-    made = left * right
-    return made[0, 0] if made.shape == (1, 1) else made
+    rows, columns = left.tolist(), right.T.tolist()
+    entries = [_summed(row, column) for row in rows for column in columns]
+    return entries[0] if len(entries) == 1 else ImmutableMatrix(len(rows), len(columns), entries)
+
+
+def dotted(left: MatrixBase, right: MatrixBase) -> Expr:
+    """The scalar product of two vectors of one shape."""
+    return _summed([*left], [*right])
+
+
+def crossed(left: MatrixBase, right: MatrixBase) -> MatrixBase:
+    """The vector product of two columns of three components."""
+    (a, b, c), (x, y, z) = left, right
+    products = (b, z, c, y), (c, x, a, z), (a, y, b, x)
+    return ImmutableMatrix([_product(p, q) - _product(r, s) for p, q, r, s in products])
+
+
+def scaled(value: Value, factor: Expr) -> Value:
+    """A number, or each entry of a matrix, times a number."""
+    if isinstance(value, MatrixBase):
+        return ImmutableMatrix(*value.shape, [_product(x, factor) for x in value])
+    return _product(value, factor)
 
 
 def multiplied(values: Sequence[Value]) -> Value:
     made: Value = Integer(1)
     for value in values:
-        both = isinstance(made, MatrixBase) and isinstance(value, MatrixBase)
-        made = matrix_product(made, value) if both else made * value
+        if not isinstance(value, MatrixBase):
+            made = scaled(made, value)
+        elif isinstance(made, MatrixBase):
+            made = matrix_product(made, value)
+        else:
+            made = scaled(value, made)
     return made
+
+
+def _summed(row: Sequence[Expr], column: Sequence[Expr]) -> Expr:
+    """The sum of the products of entries."""
+    return sympy.Add(*(_product(x, y) for x, y in zip(row, column, strict=True)))
+
+
+def _product(one: Expr, other: Expr) -> Expr:
+    """The same as `one * other`.
+
+    SymPy finds out about all parts of what is multiplied by zero whether it is finite, which takes
+    longer than everything else about vectors.
+    """
+    if one is S.Zero and not _is_infinite(other):
+        return one
+    if other is S.Zero and not _is_infinite(one):
+        return other
+    return one * other
+
+
+@lru_cache(maxsize=50_000)
+def _is_infinite(expression: Expr) -> bool:
+    """Whether an infinite number, or none, is written in it."""
+    return expression in _INFINITE or any(map(_is_infinite, expression.args))
+
+
+_INFINITE = frozenset({S.Infinity, S.NegativeInfinity, S.ComplexInfinity, S.NaN})
 
 
 LARGEST = 4_000
@@ -114,7 +165,7 @@ LARGEST = 4_000
 @lru_cache(maxsize=20_000)
 def is_identity(expression: Expr) -> bool:
     """Whether an expression with the time in it is zero as it is written."""
-    if not expression.has(TIME) or expression.atoms(AppliedUndef):
+    if TIME not in symbols(expression) or expression.atoms(AppliedUndef):
         return False
     if operations(expression) >= LARGEST:
         return False
