@@ -139,20 +139,19 @@ class Worlds:
 
     def _gaps(self, sides: Sequence[tuple[Expr, Expr]]) -> Gaps | None:
         """By how much both sides differ; None where there are no worlds, or no numbers in them."""
-        expressions = [x for pair in sides for x in pair] + [a - b for a, b in sides]
+        expressions = [x for pair in sides for x in pair]
         if not self._knows(expressions) or not self.count:
             return None
         try:
             found = self.program.values(expressions)
         except UnknownFunctionError:
             return None
-        k = len(sides)
-        size = found.sizes[: 2 * k : 2] + found.sizes[1 : 2 * k : 2]
-        gap = np.abs(found.values[2 * k :])
+        size = found.sizes[::2] + found.sizes[1::2]
+        gap = np.abs(found.values[::2] - found.values[1::2])
         floor = np.full(gap.shape, _FLOOR * CLOSE)
         if (size < _FLOOR).any():  # small numbers may be all that is written
-            floor = np.minimum(floor, self._noise(expressions[2 * k :]))
-        return Gaps(found.values[: 2 * k], gap, size, floor)
+            floor = np.minimum(floor, self._noise([a - b for a, b in sides]))
+        return Gaps(found.values, gap, size, floor)
 
     def _noise(self, expressions: Sequence[Expr]) -> NDArray[np.float64]:
         """By how much values change as the numbers of the worlds do within their errors."""
