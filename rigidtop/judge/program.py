@@ -77,6 +77,7 @@ class Program:
         count, points = self.points.shape
         self._at = {x: k for k, x in enumerate(self.letters)}
         self._zero = np.zeros((count if self.with_slopes else 0, points), complex)
+        self._sizes = np.abs(self.points)
 
     def values(self, expressions: Sequence[Expr]) -> Values:
         """Raises UnknownFunctionError."""
@@ -116,7 +117,7 @@ class Program:
             if self.with_slopes:
                 slope = self._zero.copy()
                 slope[k] = 1
-            return self.points[k], np.abs(self.points[k]), slope
+            return self.points[k], self._sizes[k], slope
         if not node.args:
             value = np.full(points, _number(node))
             return value, np.abs(value), None
@@ -132,7 +133,7 @@ class Program:
                 value, size = value * other, size * larger
             return value, size, slope
         if node.is_Pow:
-            return self._square(below[0]) if node.exp == 2 else self._power(*below)
+            return self._square(below[0]) if node.exp is _TWO else self._power(*below)
         known = _FUNCTIONS.get(node.func)
         if known is None or len(below) != 1:
             raise UnknownFunctionError(f"{node.func} has no numbers")
@@ -176,6 +177,9 @@ class Steps:
             place = self._places[node] = len(self.steps)
             self.steps.append((node, places))
         return place
+
+
+_TWO = sympy.Integer(2)
 
 
 @lru_cache(maxsize=20_000)

@@ -9,6 +9,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import combinations
+from operator import attrgetter
 
 import numpy as np
 import sympy
@@ -210,16 +211,10 @@ def _found(
     not_zero: tuple[Expr, ...],
     enough: int,
 ) -> Worlds:
-    weights = _weights(letters)
-    parameters = np.array(
-        [_is_parameter(x, letters) and not _is_of(x, may_vanish) for x in letters]
-    )
-    sums = [
-        x
-        for e in equations
-        for x in _factors(e)
-        if all(_is_parameter(y, letters) for y in symbols(x))
-    ]
+    fixed = _parameters(letters)
+    weights = np.array([0.3 if x in fixed else _weight(x) for x in letters])
+    parameters = np.array([x in fixed and not _is_of(x, may_vanish) for x in letters])
+    sums = [x for e in equations for x in _factors(e) if symbols(x) <= fixed]
     speeds = [x for x in letters if _is_speed(x)]
     backwards = frozenset({*speeds, *(x for x in letters if _is_of(x, may_vanish))})
     sums += [x - y for x, y in combinations(speeds, 2)]  # after an impact as before it
@@ -324,17 +319,25 @@ def least(matrices: Array, right: Array, rounding: float) -> Array:
 def _starts(
     letters: Sequence[Symbol], seed: int, backwards: frozenset[Symbol] = frozenset()
 ) -> Array:
+    rates = tuple(_order(x) > 0 for x in letters)
+    return _places(seed, rates, tuple(bool(seed) and x in backwards for x in letters))
+
+
+@lru_cache(maxsize=1_000)
+def _places(seed: int, rates: tuple[bool, ...], backwards: tuple[bool, ...]) -> Array:
+    """Random numbers for letters that are rates, or not; a speed may be one backwards."""
     rng = np.random.default_rng(seed)
     rows = [
-        rng.uniform(-1.5, 1.5, _STARTS) if _order(x) else rng.uniform(0.5, 1.9, _STARTS)
-        for x in letters
+        rng.uniform(-1.5, 1.5, _STARTS) if is_rate else rng.uniform(0.5, 1.9, _STARTS)
+        for is_rate in rates
     ]
-    if seed:  # a speed may be one backwards
-        rows = [
-            row * rng.choice([-1, 1], _STARTS) if x in backwards else row
-            for x, row in zip(letters, rows, strict=True)
-        ]
-    return np.array(rows, complex).reshape(len(letters), _STARTS)
+    rows = [
+        row * rng.choice([-1, 1], _STARTS) if either else row
+        for row, either in zip(rows, backwards, strict=True)
+    ]
+    places: Array = np.array(rows, complex).reshape(len(rates), _STARTS)
+    places.setflags(write=False)
+    return places
 
 
 def _is_speed(x: Symbol) -> bool:
@@ -348,28 +351,23 @@ def _order(x: Symbol) -> int:
     return jet.order if jet is not None else 0
 
 
-def _weights(letters: Sequence[Symbol]) -> NDArray[np.float64]:
-    """How far each letter may go: rates farther, the parameters of which nothing moves least."""
-    return np.array([_weight(x, letters) for x in letters])
-
-
-def _weight(x: Symbol, letters: Sequence[Symbol]) -> float:
+@lru_cache(maxsize=20_000)
+def _weight(x: Symbol) -> float:
+    """How far a letter may go: rates farther, the parameters of which nothing moves least."""
     jet = jet_of(x)
     if jet is None:
         return 0.3 if x.name.startswith(("t\x1f", "unit ", "part ")) else 10.0
-    if _is_parameter(x, letters):
-        return 0.3
     return (1.0, 3.0, 10.0, 30.0)[min(jet.order, 3)]
 
 
-def _is_parameter(x: Symbol, letters: Sequence[Symbol]) -> bool:
-    """Whether it is a letter of which no rate is asked, and not what one is at an instant."""
-    jet = jet_of(x)
-    if jet is None or jet.order or jet.instant or is_component(jet):
-        return False
-    return not any(
-        other is not None and other.letter == jet.letter and other.order
-        for other in map(jet_of, letters)
+def _parameters(letters: Sequence[Symbol]) -> frozenset[Symbol]:
+    """The letters of which no rate is asked, and that are not what one is at an instant."""
+    known = [(x, jet) for x, jet in zip(letters, map(jet_of, letters), strict=True) if jet]
+    moving = {jet.letter for _, jet in known if jet.order}
+    return frozenset(
+        x
+        for x, jet in known
+        if not (jet.order or jet.instant or is_component(jet) or jet.letter in moving)
     )
 
 
@@ -408,4 +406,4 @@ def _has_extremes(expression: Expr) -> bool:
 def symbols_of(expressions: Sequence[Expr]) -> tuple[Symbol, ...]:
     """The letters of expressions, always in the same order."""
     every: set[Symbol] = set().union(*(symbols(sympy.sympify(x)) for x in expressions))
-    return tuple(sorted(every, key=str))
+    return tuple(sorted(every, key=attrgetter("name")))
