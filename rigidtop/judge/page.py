@@ -42,7 +42,7 @@ from rigidtop.judge.outcome import (
 )
 from rigidtop.judge.particles import particles
 from rigidtop.judge.program import UnknownFunctionError
-from rigidtop.judge.spans import NoValueError, is_contradictory, span
+from rigidtop.judge.spans import NoValueError, Span, is_contradictory, span
 from rigidtop.judge.values import UnclearError, pairs, plain
 from rigidtop.judge.written import written
 from rigidtop.proof.derivation import Judged, Line
@@ -284,18 +284,25 @@ class Question:
         if any(map(_is_complex, every)):
             return ""
         zero = {symbol(Jet(x)) for x in self.ground.vanishing}
-        positive = {x for e in every for x in symbols(e) if self._is_positive(x)} - zero
-        known = _numbers_of(gaps)
+        letters = frozenset().union(*map(symbols, every))
+        positive = frozenset(x for x in letters - zero if self._is_positive(x))
+        known = dict(number for e in gaps if (number := _number_said(e)) is not None)
+
+        def bounds(expression: Expr) -> Span:
+            own = symbols(expression)
+            numbers = frozenset((x, known[x]) for x in own & known.keys())
+            return _bounds(expression, own & positive, numbers)
+
         for each in (e for e in gaps if len(symbols(e)) <= MOST_LETTERS):
             try:
-                low, high = span(each, positive, known)
+                low, high = bounds(each)
             except NoValueError:
                 return f"what it rests on has no real value: {_words(each)} = 0"
             if low > CLOSE or high < -CLOSE:
                 return f"what it rests on holds for no numbers: {_words(each)} = 0"
         for left, right in both:
             try:
-                (low, high), (least, most) = (span(x, positive, known) for x in (left, right))
+                (low, high), (least, most) = bounds(left), bounds(right)
             except NoValueError:
                 return "it has no real value"
             if low > most + CLOSE or high < least - CLOSE:
@@ -319,16 +326,22 @@ def _is_complex(value: Expr) -> bool:
     return bool(value.has(I))
 
 
-def _numbers_of(gaps: Sequence[Expr]) -> dict[Symbol, float]:
-    """The letters that an equation gives a number."""
-    made: dict[Symbol, float] = {}
-    for each in gaps:
-        if len(symbols(each)) == 1:
-            [x] = symbols(each)
-            slope = each.diff(x)
-            if slope.is_number and slope != 0:
-                made[x] = float(-each.subs(x, 0) / slope)
-    return made
+@lru_cache(maxsize=20_000)
+def _bounds(
+    expression: Expr, positive: frozenset[Symbol], known: frozenset[tuple[Symbol, float]]
+) -> Span:
+    """The same as `span`; what one line rests on, many others do."""
+    return span(expression, positive, dict(known))
+
+
+@lru_cache(maxsize=20_000)
+def _number_said(gap: Expr) -> tuple[Symbol, float] | None:
+    """The letter to which an equation gives a number, and that number."""
+    if len(symbols(gap)) != 1:
+        return None
+    [x] = symbols(gap)
+    slope = gap.diff(x)
+    return (x, float(-gap.subs(x, 0) / slope)) if slope.is_number and slope != 0 else None
 
 
 def _words(value: Expr) -> str:
