@@ -105,11 +105,32 @@ def entry_of(operator: Letter) -> Letter:
 
 def has_sign(*sides: Node) -> bool:
     """Whether ± stands in one of the sides."""
+    return any(map(_has_sign, sides))
+
+
+@lru_cache(maxsize=20_000)
+def _has_sign(side: Node) -> bool:
     return any(
         isinstance(x, n.PlusMinus) or (isinstance(x, Letter) and ("±" in x.sub or "∓" in x.sub))
-        for side in sides
         for x in n.walked(side)
     )
+
+
+@lru_cache(maxsize=20_000)
+def _has_column(side: Node) -> bool:
+    """Whether three components are written in it."""
+    return any(
+        (isinstance(x, n.Tuple) and len(x.entries) == 3)
+        or (isinstance(x, n.Matrix) and len(x.rows) == 3 and len(x.rows[0]) == 1)
+        for x in n.walked(side)
+    )
+
+
+@lru_cache(maxsize=20_000)
+def _counted(side: Node) -> frozenset[str]:
+    """The indices over which sums in it run."""
+    totals = (x for x in n.walked(side) if isinstance(x, n.Total))
+    return frozenset(x.base for total in totals for x in total.index)
 
 
 def equations(each: Statement) -> Iterator[tuple[str, Node, Node]]:
@@ -181,13 +202,7 @@ class Ground:
 
     def bases(self) -> list[MatrixBase | None]:
         """The frames in which columns may be meant; none where no columns are written."""
-        columns = any(
-            (isinstance(x, n.Tuple) and len(x.entries) == 3)
-            or (isinstance(x, n.Matrix) and len(x.rows) == 3 and len(x.rows[0]) == 1)
-            for side in self.sides
-            for x in n.walked(side)
-        )
-        if not columns:
+        if not any(map(_has_column, self.sides)):
             return [None]
         made: list[MatrixBase | None] = []
         for frame in sorted(self.letters.frames, key=lambda f: {*f} != {*self.letters.body}):
@@ -225,13 +240,7 @@ class Ground:
     def context(self) -> Context:
         """What is known of the letters of the line and its premises."""
         letters = self.letters
-        counted = {
-            x.base
-            for side in self.sides
-            for node in n.walked(side)
-            if isinstance(node, n.Total)
-            for x in node.index
-        }
+        counted = frozenset().union(*map(_counted, self.sides))
         indexed = replace(self.habits, indices=frozenset(letters.indices | counted))
         context = Context(indexed, lawless=True)
         for letter in letters.operators & self.names:
