@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from functools import lru_cache
 
 import sympy
 from sympy import Expr, Integer, Rational, Symbol
@@ -67,6 +68,12 @@ def _simple(value: float) -> Rational | None:
     return Rational(guess) if guess and math.isclose(guess, value, rel_tol=1e-11) else None
 
 
+@lru_cache(maxsize=1000)
+def _positive(letter: Symbol) -> Symbol:
+    """A positive letter for another, the same each time: SymPy remembers what it found out."""
+    return sympy.Dummy(letter.name, positive=True)
+
+
 def is_zero(expression: Expr, move: Move) -> bool:
     """Whether an expression vanishes, letters of known sign being so."""
     if expression == 0:
@@ -76,7 +83,7 @@ def is_zero(expression: Expr, move: Move) -> bool:
     for each in bounded:
         number, letter = each.expression.as_coeff_Mul()
         if isinstance(letter, Symbol):
-            signs[letter] = sympy.sign(number) * sympy.Dummy(positive=True)
+            signs[letter] = sympy.sign(number) * _positive(letter)
     signed = expression.xreplace(signs) if signs else expression
     if vanishes(signed):
         return True

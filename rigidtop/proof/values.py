@@ -90,17 +90,21 @@ def flattened(expression: Expr) -> tuple[Expr, dict[Symbol, Expr]]:
 
     def go(node: Expr) -> Expr:
         if isinstance(node, Printed):
-            found = next((d for d, known in atoms.items() if known == node), None)
-            if found is None:
-                squared = isinstance(node, Dot) and node.args[0] == node.args[1]
-                found = Dummy(nonnegative=True) if squared else Dummy(real=True)
-                atoms[found] = node
+            found = _stand_in(node)
+            atoms[found] = node
             return found
         if not node.args or not node.has(Printed):
             return node
         return node.func(*(go(part) for part in node.args))
 
     return go(expression), atoms
+
+
+@lru_cache(maxsize=20_000)
+def _stand_in(node: Printed) -> Dummy:
+    """The letter for an atom, the same each time: what is found out of it need not be again."""
+    squared = isinstance(node, Dot) and node.args[0] == node.args[1]
+    return Dummy(nonnegative=True) if squared else Dummy(real=True)
 
 
 def difference(left: Value, right: Value) -> dict[Expr | int, Expr]:

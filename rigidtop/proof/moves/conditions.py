@@ -150,12 +150,12 @@ def never_positive(expression: Expr, conditions: Sequence[Condition]) -> bool:
     return told >= DRAWS // 2
 
 
-def _drawn(flat: Expr, relations: Sequence[Relational], attempt: int) -> dict[Symbol, Expr]:
+def _drawn(flat: Expr, relations: Sequence[Relational], attempt: int) -> dict[Symbol, float]:
     """A number for each symbol, of either sign unless it has one: then small, or large."""
     symbols = flat.free_symbols.union(*(each.free_symbols for each in relations))
     power = 3 + 6 * (attempt % 2)
     near = {x: floats.somewhere(x, attempt) for x in symbols}
-    return {x: sympy.Float(at**power if x.is_nonnegative else 3 * at - 3) for x, at in near.items()}
+    return {x: at**power if x.is_nonnegative else 3 * at - 3 for x, at in near.items()}
 
 
 def _is_set_to_zero(factor: Expr, conditions: Sequence[Condition]) -> bool:
