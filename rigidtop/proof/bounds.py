@@ -11,7 +11,7 @@ import sympy
 from sympy import Expr, Matrix
 from sympy.core.relational import Relational
 
-from rigidtop.proof.decide import vanishes
+from rigidtop.proof.decide import in_digits, vanishes
 from rigidtop.theory.trig import reduce_ratio
 
 
@@ -50,11 +50,23 @@ def positive(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
     >>> positive((a - b)**3, [sympy.Gt(a, b)]), positive(a - b)
     (True, False)
     """
+    # A point where it is negative tells this sooner than its factors do.
+    if _is_negative_somewhere(expression, conditions):
+        return False
     ratio = reduce_ratio(expression)
     if ratio.is_positive or _sign(ratio, conditions) == 1:
         return True
     # A condition may bound a product that stands in the ratio as a whole.
     return any(_sign(reduce_ratio(ratio / fact), conditions) == 1 for fact in _facts(conditions))
+
+
+def _is_negative_somewhere(expression: Expr, conditions: Sequence[Relational]) -> bool:
+    """Whether numbers at a few points where bounds hold refute that an expression is positive."""
+    bounds = [c.gts - c.lts for c in conditions if isinstance(c, _BOUNDS)]
+    return in_digits([("≥", expression)], bounds=bounds) is False
+
+
+_BOUNDS = (sympy.Gt, sympy.Lt, sympy.Ge, sympy.Le)
 
 
 def nonnegative(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
