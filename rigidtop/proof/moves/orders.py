@@ -116,14 +116,19 @@ def _kept_is_larger(whole: Expr, kept: Expr, small: Symbol, move: Move, letters:
     """
     relations = [relation for relation in letters.relations if relation.has(small)]
     relations += [letters.means[small] - small] if small in letters.means else []
+    together = (small,) if move.verb == "neglect" else move.by
+    sign = -1 if move.verb == "neglect" and move.power > 0 else 1
+    depths = [sign * n for n in DEPTHS]
+    rest, terms = whole - kept, Add.make_args(sympy.expand(kept))
     for relation in relations:
         for x in sorted(relation.free_symbols & whole.free_symbols - {small}, key=str):
             for solution in _solutions(relation, x):
-                for term in Add.make_args(sympy.expand(kept)):
-                    ratio = ((whole - kept) / term).xreplace({x: solution})
-                    together = (small,) if move.verb == "neglect" else move.by
-                    sign = -1 if move.verb == "neglect" and move.power > 0 else 1
-                    far, near = (_share(ratio, together, sign * n) for n in DEPTHS)
+                left_out = [_number(rest.xreplace({x: solution}), together, n) for n in depths]
+                for term in terms:
+                    there = term.xreplace({x: solution})
+                    sizes = [_number(there, together, n) for n in depths]
+                    pairs = zip(left_out, sizes, strict=True)
+                    far, near = (abs(a / b) if a != 0 else a for a, b in pairs)
                     if not near < far / 2:
                         raise RefusedError(
                             "with {} = 0 what is left out is not small beside {}", relation, term
@@ -141,11 +146,11 @@ def _solutions(relation: Expr, x: Symbol) -> list[Expr]:
     return [] if degree < 1 else [*sympy.roots(sympy.Poly(above, x))]
 
 
-def _share(ratio: Expr, small: Sequence[Expr], n: int) -> Any:
-    """The size of a ratio at a point, where the letters that are small are 10⁻ⁿ."""
-    point = {y: sympy.Rational(floats.somewhere(y, 0)) for y in ratio.free_symbols}
+def _number(expression: Expr, small: Sequence[Expr], n: int) -> Any:
+    """An expression at a point, in many digits, where the letters that are small are 10⁻ⁿ."""
+    point = {y: sympy.Rational(floats.somewhere(y, 0)) for y in expression.free_symbols}
     point |= dict.fromkeys(small, sympy.Rational(10) ** -n)
-    return abs(sympy.N(ratio.xreplace(point), 5 * abs(n), maxn=20 * abs(n)))
+    return sympy.N(expression.xreplace(point), 5 * abs(n), maxn=20 * abs(n))
 
 
 def _series(counted: Expr, order: Order) -> Expr:
@@ -269,7 +274,7 @@ def _stays(share: Expr, letter: Symbol, sign: int, letters: Letters) -> bool:
     if not by:
         return False
     whole = share.xreplace(by)
-    far, near = (_share(flattened(whole)[0], (letter,), -sign * n) for n in DEPTHS)
+    far, near = (abs(_number(flattened(whole)[0], (letter,), -sign * n)) for n in DEPTHS)
     return not near < far / 2
 
 
