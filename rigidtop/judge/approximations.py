@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from functools import partial
+from math import gcd
+
+from sympy import Rational
 
 from rigidtop.judge import definitions, oscillations, worth
 from rigidtop.judge.context import LINEAR, Context, Definition, Limit
-from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, Slip, slip
+from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, SLIP_SECONDS, Slip, slip
 from rigidtop.judge.implicit import implicit, solves_nearly
 from rigidtop.judge.jets import jet_of, jets
 from rigidtop.judge.numbers import are_numbers, compared
@@ -26,10 +31,12 @@ from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.settings import is_own
 from rigidtop.judge.sides import ZERO
 from rigidtop.judge.situation import Situation
+from rigidtop.judge.slips import times
 from rigidtop.judge.values import UnclearError
 from rigidtop.judge.worlds import Worlds
 from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
+from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Letter
 from rigidtop.tree.plain import plain as in_words
 from rigidtop.tree.statement import Statement
@@ -58,7 +65,7 @@ def judged(question: Question) -> Judgement:
     root = _nearly_root(question)
     if root is not None:
         return root, context
-    apart = _differ(question)
+    apart = _near_multiple(question) or _differ(question)
     if apart is not None:
         return apart, context
     return Outcome(UNDECIDED, "it is not seen for what it is nearly true"), context
@@ -205,6 +212,24 @@ def near_slip(question: Question) -> Slip | None:
         question = replace(question, at=replace(at, cues=at.cues - {Cue.APPROXIMATED}))
     alike = partial(_is_alike, question)
     return slip(question, alike, "\\approx", most=NEARLY_ALIKE)
+
+
+def _near_multiple(question: Question) -> Outcome | None:
+    """By which simple fraction the right side has to be multiplied to become like the left one."""
+    with question.patience.search(SLIP_SECONDS) as until:
+        for factor in _FRACTIONS:
+            if time.process_time() > until:
+                return None
+            both = [(left, factor * right) for left, right in question.both]
+            if _is_alike(question, both, question.worlds):
+                words = f"{factor} times as much"
+                right = latex(times(Fraction(factor.p, factor.q), question.right))
+                line = f"{latex(question.left)} \\approx {right}"
+                return Outcome(FALSE, f"it holds with {words}", question.rests_on, words, line)
+    return None
+
+
+_FRACTIONS = [Rational(p, q) for p in range(1, 8) for q in range(1, 8) if p != q and gcd(p, q) == 1]
 
 
 def _is_alike(

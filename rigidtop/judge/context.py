@@ -110,6 +110,8 @@ class Habits:
     vectors: frozenset[Letter] = frozenset()
     running: Letter = CLOCK
     fields: frozenset[Letter] = frozenset()
+    units: frozenset[Letter] = frozenset()
+    """Vectors that words say to be unit vectors."""
     driven: frozenset[Letter] = frozenset()
     """Letters whose motion the words say to be given, so that no law moves them."""
     massless: bool = False

@@ -21,13 +21,14 @@ from rigidtop.judge import (
     spectrum,
     worth,
 )
+from rigidtop.judge import worlds as w
 from rigidtop.judge.brackets import convention
 from rigidtop.judge.context import LAW, PLACE, SETTING, Constraint, Definition
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.counterexample import refuted
 from rigidtop.judge.faults import NUMBERS
-from rigidtop.judge.jets import rate
-from rigidtop.judge.laws import LAGRANGIANS, hamilton, lagrange
+from rigidtop.judge.jets import jets, rate
+from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.numbers import A_MINUTE, are_numbers, compared
 from rigidtop.judge.outcome import ASSUMING, DEFINITION, FALSE, PREMISE, SAMPLED, UNDECIDED, Outcome
 from rigidtop.judge.program import UnknownFunctionError
@@ -342,8 +343,27 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
         or faults.contradiction(question)
         or _worked_out(question)
     )
-    outcome = outcome or _wrong_form(question)
+    outcome = outcome or _wrong_form(question) or _other_acceleration(question)
     return outcome or Outcome(UNDECIDED, DOES_NOT_FOLLOW), context
+
+
+def _other_acceleration(question: Question) -> Outcome | None:
+    """A counterexample to an acceleration that equations of motion give, as they stand above.
+
+    None where the words suppose something, where a letter is new, or where it is nearly true.
+    """
+    at, worlds = question.at, question.worlds
+    supposed = at.supposed or at.opens or at.case or at.small or at.large or at.instant
+    if supposed or at.inline or question.new_letters or worlds.count < faults.FEWEST or worlds.tied:
+        return None
+    own = [x for gap in question.gaps for x, jet in jets(gap).items() if jet.order == 2]
+    left = {x for one, _ in question.both for x in jets(one)}
+    if not own or not left & {*own} or w.rank(question.equations, worlds, own) < len({*own}):
+        return None
+    signs = worlds.signs(question.gaps)
+    if signs is None or not signs.all() or approximations.nearly_equal(question) is not None:
+        return None
+    return refuted(question)
 
 
 def _wrong_form(question: Question) -> Outcome | None:
@@ -351,7 +371,8 @@ def _wrong_form(question: Question) -> Outcome | None:
     for function, other in _forms(question):
         own = question.meaning().scalar(question.context.definitions[function].node)
         by = {x for side in (question.left, question.right) for x in _places(side, function)}
-        if not by or any(x in letters_of(own) for x in by):
+        written_so = function in HAMILTONIANS  # by a place, its momenta stay what they are
+        if not by or (not written_so and any(x in letters_of(own) for x in by)):
             continue
         wrong = faults.slip(replace(question, chosen={function: other}, asked=None))
         if wrong is not None:
@@ -376,6 +397,12 @@ def _worked_out(question: Question) -> Outcome | None:
     return faults.multiple(question) or refuted(question)
 
 
+def _is_square_above(question: Question) -> bool:
+    """Whether the line above says what the square of the left side is."""
+    said = question.context.said[:1]
+    return said == (n.Power(question.left, n.Number("2")),)
+
+
 def _one_root(question: Question) -> Judgement | None:
     """One of the two roots of what stands above, with a sign that nothing else says."""
     letter, _ = named(question.left)
@@ -389,6 +416,8 @@ def _one_root(question: Question) -> Judgement | None:
     ):
         return None
     other = n.mapped(question.right, other_root)
+    if other == question.right and _is_square_above(question):
+        other = n.Negative(question.right)
     if other == question.right or len(question.both) != 1:
         return None
     try:

@@ -21,6 +21,7 @@ from sympy import (
     simplify,
     together,
 )
+from sympy.simplify.fu import TR5
 from sympy.solvers.solveset import NonlinearError
 
 from rigidtop.judge import paths
@@ -96,8 +97,10 @@ def slip(
     something else is said; `relation` is how that is written in LaTeX.
     """
     patience = question.patience
-    if question.worlds.count < FEWEST or patience.seconds <= 0:
+    if question.worlds.count < FEWEST or patience.seconds <= 0 or question.worlds.tied:
         return None
+    if question.worlds.points.imag.any() and _has_size(question):
+        return None  # how large a complex number is is not seen
     with patience.search(SLIP_SECONDS) as until:
         change = next(_right_changes(question, compared, letter, most, until), None)
     if change is None:
@@ -106,6 +109,11 @@ def slip(
     why = f"it holds with {change.words}"
     outcome = Outcome(FALSE, why, question.rests_on, change.words, right)
     return Slip(change, outcome, _righted(question, change))
+
+
+def _has_size(question: Question) -> bool:
+    nodes = (x for side in (question.left, question.right) for x in n.walked(side))
+    return any(isinstance(x, n.Absolute) for x in nodes)
 
 
 def _right_changes(
@@ -283,8 +291,12 @@ def missing_term(question: Question) -> Outcome | None:
     tops = highest(question.equations)
     gap = _solved_for(tops, question.equations, left - right)
     if gap is None or not _is_monomial(gap):
+        # sin² θ + cos² θ is 1.
+        short = operations(left - right) <= LONGEST
+        gap = TR5((left - right).expand()).expand() if short else None
+    if gap is None or not _is_monomial(gap):
         gap = _left_out(question.equations, left - right)
-    derived = question.at.derived
+    derived = question.at.derived or _differentiates(question)
     moves = any(left.has(x) or right.has(x) for x in tops) or _differentiates(question)
     moves |= derived and any(x.has(TIME) for x in question.equations)
     if (
@@ -298,11 +310,11 @@ def missing_term(question: Question) -> Outcome | None:
     own = own_letters(question.left) | own_letters(question.right)
     if not letters_of(gap) <= (own | _near(question) if derived else own):
         return None
-    term = written(-gap)
+    term = written(-gap if question.right == ZERO else gap)
     if question.right == ZERO:
         side = f"{latex(n.Sum((question.left, term)))} = 0"
     else:
-        side = f"{latex(question.left)} = {latex(n.Sum((question.right, written(gap))))}"
+        side = f"{latex(question.left)} = {latex(n.Sum((question.right, term)))}"
     words = f"the term {in_words(term)}"
     return Outcome(FALSE, f"{words} is missing", question.rests_on, words, side)
 

@@ -37,6 +37,9 @@ FORCES = frozenset("FfNSHZλ")
 MOMENTA = frozenset("pPπJℓlDS")
 """Momenta, in which a function may be written."""
 
+TIMES = frozenset("tτT")
+"""Moments, and how long something takes."""
+
 PERIODS = frozenset("TτP")
 """How long an oscillation, or a turn, takes."""
 

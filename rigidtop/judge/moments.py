@@ -106,7 +106,7 @@ class _Words:
         self.any_time |= isinstance(each, Statement) and _is_any(each, moving)
         if Cue.GENERAL in cues or begun or over:
             self.now = ""
-        elif Cue.REST in cues and not passage.display and _is_of_motion(each, moving):
+        elif Cue.REST in cues and not passage.display and _is_start_value(each, moving):
             self.now = START  # let it start from rest with u = b
         elif Cue.MOMENT in cues and _AGAIN.search(passage.before):
             self.now = self.before or self.now
@@ -147,6 +147,11 @@ class _Words:
 def _is_of_motion(each: Statement | Unread, moving: frozenset[Letter]) -> bool:
     """Whether it gives what moves, or the rate of that, a value."""
     return isinstance(each, Statement) and len(each.sides) == 2 and bare(each.sides[0]) in moving
+
+
+def _is_start_value(each: Statement | Unread, moving: frozenset[Letter]) -> bool:
+    """Whether it gives what moves a value, and not one in time."""
+    return isinstance(each, Statement) and _is_of_motion(each, moving) and not _speaks_of_time(each)
 
 
 def _is_any(each: Statement, moving: frozenset[Letter]) -> bool:

@@ -208,7 +208,8 @@ def law(question: Question) -> Judgement | None:
     heads = {side.of if isinstance(side, n.Rate) else side for side in sides}
     heads |= {x.of for side in sides for x in n.walked(side) if isinstance(x, n.Rate)}
     known = _with_meaning(question)
-    if any(isinstance(x, Letter) and x in known for x in heads):
+    named = own_letters(question.left) & question.context.definitions.keys()
+    if named or any(isinstance(x, Letter) and x in known for x in heads):
         # What stands for something moves as that does, if it is not a law.
         wrong = slip(question)
         if wrong is not None:
@@ -359,6 +360,8 @@ def value(question: Question) -> Judgement | None:
     # What ties rates, as rolling does, stays, and so do the equations of a list.
     passed = at.inline and not rates and not (at.scope and at.scope[-1] < 0)
     kind = SETTING if passed or at.balanced else SUPPOSED
+    if question.right == ZERO:
+        context = replace(context, results=context.results | fixed)
     return outcome, context.holding(question.constraint(kind))
 
 

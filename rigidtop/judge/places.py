@@ -93,6 +93,24 @@ def solution(statement: Statement, at: Situation, context: Context) -> Context:
     return context.holding(Constraint(left, right, at.number, SETTING, at.scope, THERE))
 
 
+def rests(statement: Statement, at: Situation, context: Context) -> Context | None:
+    """What is known where a coordinate rests at θ₀, of which the statement says where that is.
+
+    None if it is where a motion begins, or speaks of rates.
+    """
+    moving = context.habits.moving - context.definitions.keys()
+    names = [x for x in letters_in(statement) if x.sub == "0" and x.base in COORDINATES]
+    pairs = [(replace(x, sub=""), x) for x in names]
+    kept = [c for c in context.constraints if (c.left, c.right) in pairs and c.left in moving]
+    begins = any(c.instant == START and isinstance(c.left, Rate) for c in context.constraints)
+    begins |= START in context.instants or any(CLOCK in letters(x) for x in statement.sides)
+    if len(kept) != 1 or begins or moving_in(statement) or at.instant:
+        return None
+    still = sorted((x for x in moving if x.base in COORDINATES), key=str)
+    context = context.holding(replace(kept[0], instant="", until=at.sentence))
+    return _vanishing(context, at, [Rate(x, order, True) for x in still for order in (1, 2)])
+
+
 def begun(statement: Statement, at: Situation, context: Context) -> Context | None:
     """What is known where a new letter is where a motion begins that begins at rest.
 

@@ -27,6 +27,7 @@ from rigidtop.judge.letters import (
     PLACES,
     SPEED,
     SPEEDS,
+    TIMES,
     TURNING,
     VELOCITIES,
     is_mass,
@@ -68,7 +69,8 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
     left = question.left
     letter = left.base if isinstance(left, n.Power) else named(left)[0]
     named_already = question.context.definitions.keys() | (question.moving - {SPEED})
-    new = isinstance(letter, Letter) and letter not in named_already
+    worked_out = letter in LAGRANGIANS and outcome.verdict == DEFINITION
+    new = isinstance(letter, Letter) and (worked_out or letter not in named_already)
     if outcome.verdict not in (DEFINITION, PREMISE) or question.inner or not new:
         return judgement
     if question.at.inline and not question.at.derived and not question.at.instant:
@@ -125,11 +127,14 @@ def _quantities(question: Question, letter: Letter) -> Iterator[Quantity]:
         yield from _rates(question)
     if letter == _KINETIC:
         yield from _kinetic(question)
+    if letter in LAGRANGIANS:
+        yield from _lagrangian(question)
     if letter in (_POTENTIAL, Letter("U")):
         yield from _weight(question)
     if letter.base in "UVW":
         yield from _effective(question)
     yield from _at_a_time(question.context, letter)
+    yield from _when(question, letter)
     if letter.base in PLACES and not letter.sub:
         yield from _ways(question)
     if letter.base in MOMENTA and not letter.sub:
@@ -159,17 +164,19 @@ def _of_another(question: Question, letter: Letter) -> Iterator[Quantity]:
 
     T₁ = 2π √((J + J₁)/D) after T = 2π √(J/D).
     """
-    context, bare = question.context, replace(letter, sub="")
-    values = [c.right for c in context.followed if c.left == bare and not c.instant]
-    values += [context.definitions[bare].node] if bare in context.definitions else []
+    context = question.context
+    known = {c.left: c.right for c in context.followed if not c.instant}
+    known |= {x: d.node for x, d in context.definitions.items()}
+    others = [replace(letter, sub=""), replace(letter, sub="0")]
+    bare = next((x for x in others if x in known and x != letter), letter)
     own = {x: replace(x, sub="") for x in own_letters(question.right) if x.sub == letter.sub}
-    if not letter.sub or not values or not own.keys() - {letter}:
+    if not letter.sub or bare == letter or not own.keys() - {letter}:
         return
     for added in (False, True):
-        node = values[-1]
+        node = known[bare]
         for other, plain in own.items():
             node = n.replaced(node, plain, n.Group(n.Sum((plain, other))) if added else other)
-        if node != values[-1]:
+        if node != known[bare]:
             yield Quantity(f"what {in_words(bare)} is of the other", node)
 
 
@@ -239,6 +246,7 @@ def _accelerations(question: Question) -> Iterator[Quantity]:
 
 def _ways(question: Question) -> Iterator[Quantity]:
     """How far something has come with a speed that is given in time, from zero at first."""
+    yield from _stopping(question)
     context = question.context
     speeds = [c.right for c in context.followed if c.left == SPEED and not c.instant]
     speeds += [SPEED] if SPEED in context.definitions else []
@@ -253,6 +261,18 @@ def _ways(question: Question) -> Iterator[Quantity]:
         yield Quantity("the way at that speed", Meant(way))
 
 
+def _stopping(question: Question) -> Iterator[Quantity]:
+    """How far something comes with a speed that stands in the right side before it stops."""
+    speeds = [x for x in own_letters(question.right) if x.base in VELOCITIES and not x.bold]
+    if Cue.STOPPING not in question.at.cues or len(speeds) != 1:
+        return
+    for x in sorted(question.moving, key=str):
+        if x.base in PLACES and not x.bold:
+            twice = n.Product((_SQUARE, n.Absolute(n.Rate(x, 2, True))))
+            way = n.Quotient(n.Power(speeds[0], _SQUARE), twice)
+            yield Quantity(f"the way until {in_words(x)} stops", way)
+
+
 def _change_of(x: Letter) -> Node:
     """The acceleration of a place, or the rate of a speed."""
     return n.Rate(x, 1 if x.base in SPEEDS else 2, True)
@@ -263,7 +283,7 @@ def _speeds(question: Question, letter: Letter) -> Iterator[Quantity]:
     for x in sorted(question.moving, key=str):
         if x.base in SPEEDS and not x.bold and x != letter:
             still = Constraint(n.Rate(x, 1, True), ZERO, at.number, SETTING, at.scope, _LATE)
-            known = context.holding(still)
+            known = context.forgetting(x).holding(still)
             words = f"the speed that {in_words(x)} reaches"
             yield Quantity(words, n.Absolute(x), known, instant=_LATE)
     for x in sorted(question.moving, key=str):
@@ -356,6 +376,14 @@ def _kinetic(question: Question) -> Iterator[Quantity]:
         terms.append(n.Product((half, mass, n.Group(n.Sum(squares)))))
     if terms:
         yield Quantity("the kinetic energy", n.Sum(tuple(terms)))
+
+
+def _lagrangian(question: Question) -> Iterator[Quantity]:
+    """The kinetic energy less that of the weight, of bodies of which it is said where they are."""
+    for kinetic in _kinetic(question):
+        for weight in _weight(question):
+            node = n.Sum((kinetic.node, n.Negative(n.Group(weight.node))))
+            yield Quantity("T − V with the places above", node)
 
 
 def _masses(question: Question) -> list[Letter]:
@@ -460,6 +488,16 @@ def _at_a_time(context: Context, letter: Letter) -> Iterator[Quantity]:
             if time is not None and letter.base == SPEED.base and x.base in PLACES:
                 way = n.Absolute(n.At(n.Rate(x, 1, True), CLOCK, time))
                 yield Quantity(f"the rate of {in_words(x)} at that time", way)
+
+
+def _when(question: Question, letter: Letter) -> Iterator[Quantity]:
+    """What is given in time at a time that stands in the right side: v₁ = c − g τ."""
+    bare = replace(letter, sub="")
+    if letter.sub and bare in question.context.definitions:
+        for time in sorted(own_letters(question.right), key=str):
+            if time.base in TIMES and time not in question.context.definitions:
+                words = f"{in_words(bare)} after {in_words(time)}"
+                yield Quantity(words, n.At(bare, CLOCK, time))
 
 
 # --- Greatest and least values -------------------------------------------------------------------

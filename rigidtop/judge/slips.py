@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
 
+from rigidtop.judge.letters import is_mass
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node, Number
 from rigidtop.tree.plain import plain
@@ -155,7 +156,8 @@ def _single(
                     yield new, f"{plain(new)} in place of {plain(node)}", 2.0
             if exponent.value == 2 and isinstance(base, Letter):
                 for letter in sorted(names - {base}, key=str):
-                    if letter.base == base.base and letter.bold == base.bold:
+                    alike = letter.base == base.base or (is_mass(letter) and is_mass(base))
+                    if alike and letter.bold == base.bold:
                         mixed = n.Product((base, letter))
                         yield mixed, f"{plain(mixed)} in place of {plain(node)}", 2.4
             inner = n.ungrouped(base)

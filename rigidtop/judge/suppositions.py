@@ -5,7 +5,7 @@ If it follows in one of them, that was meant. A slip there is told where little 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
 from rigidtop.judge import neighbours, places, states
@@ -15,7 +15,13 @@ from rigidtop.judge.laws import LAGRANGIANS
 from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.starts import with_acceleration, with_coordinates, with_energy, with_force
+from rigidtop.judge.starts import (
+    with_acceleration,
+    with_coordinates,
+    with_energy,
+    with_force,
+    with_newton,
+)
 from rigidtop.judge.vocabulary import Meant, Memory
 from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
@@ -58,6 +64,8 @@ def _possible(
         yield Supposition(statement, at, general, lasts=True)
     stated = states.stated(statement, at, context)
     yield Supposition(statement, at, stated or context, tells=True)
+    nearly = _to_first_order(at, context)
+    yield Supposition(statement, at, nearly or context, tells=True)
     alike = places.alike(at, context)
     yield Supposition(statement, at, alike or context, lasts=True, tells=True)
     equal = _both_equal(at, context)
@@ -66,6 +74,8 @@ def _possible(
     yield Supposition(statement, at, numbered or context)
     weighed = _with_gravity(statement, at, context)
     yield Supposition(statement, at, weighed or context, words="with g = 9.81 m/s²")
+    pushed = with_newton(statement, context, at.number)
+    yield Supposition(statement, at, pushed or context, words="by Newton's law")
     columns = with_coordinates(statement, at, context)
     yield Supposition(statement, at, columns or context, lasts=True, tells=True)
     begun = places.begun(statement, at, context)
@@ -91,6 +101,8 @@ def _possible(
         timed = _at_the_latest_time(statement, context)
         always = replace(at, instant="") if timed is not None else at
         yield Supposition(timed or statement, always, context, words="at that time")
+    resting = places.rests(statement, at, context)
+    yield Supposition(statement, at, resting or context, words="where it can rest")
     for there in places.placed(statement, at, context):
         changed = places.with_rates(statement, context)
         yield Supposition(changed, at, there, tells=True)
@@ -101,8 +113,9 @@ def _at_the_latest_moment(
 ) -> Situation | None:
     """Where something that moves is said to be at the moment of which the text spoke last."""
     moments = [c.instant for c in context.constraints if c.instant not in ("", START)]
-    value = bare(statement.sides[0])
-    if not moments or value not in context.habits.moving:
+    left, *_, right = statement.sides
+    names = {bare(left)} if letters(right) & context.habits.moving else letters(left)
+    if not moments or not names & context.habits.moving:
         return None
     return replace(at, instant=moments[-1])
 
@@ -136,6 +149,25 @@ def _without_potential(at: Situation, context: Context) -> Context | None:
     if not context.habits.weightless or kinetic is None or energies & known:
         return None
     return context.defining(LAGRANGIANS[0], Definition(kinetic, at.number, at.scope))
+
+
+def _to_first_order(at: Situation, context: Context) -> Context | None:
+    """What is known without exact laws of what is constant only as long as others are small."""
+    stays = {
+        c.left
+        for c in context.constraints
+        if c.left in context.habits.moving and not c.instant and isinstance(c.right, Letter)
+        if c.right not in context.habits.moving
+    }
+    if not (at.small and stays):
+        return None
+    kept = tuple(c for c in context.constraints if not _has_rate_of(c, stays))
+    return replace(context, constraints=kept) if len(kept) < len(context.constraints) else None
+
+
+def _has_rate_of(constraint: Constraint, names: Collection[Node]) -> bool:
+    nodes = (x for side in (constraint.left, constraint.right) for x in n.walked(side))
+    return any(isinstance(x, n.Rate) and x.of in names for x in nodes)
 
 
 def _both_equal(at: Situation, context: Context) -> Context | None:

@@ -7,20 +7,31 @@ import time
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 from math import inf
 
 from rigidtop.judge.ahead import explained_first
-from rigidtop.judge.context import SETTING, START, Constraint, Context, Habits, Limit, has_unit
+from rigidtop.judge.context import (
+    PREMISE,
+    SETTING,
+    START,
+    Constraint,
+    Context,
+    Habits,
+    Limit,
+    has_unit,
+)
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.letters import CLOCK, is_mass
 from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time, time_of
+from rigidtop.judge.names import is_vector
 from rigidtop.judge.outcome import DEFINITION, SAMPLED, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import LATE, Read, read_text
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
-from rigidtop.judge.starts import at_rest, with_energy, with_velocities
+from rigidtop.judge.starts import at_rest, turning, with_energy, with_velocities
 from rigidtop.judge.states import kept
 from rigidtop.read.declared import declared
 from rigidtop.read.macros import Macros
@@ -134,6 +145,7 @@ def reading(source: str, macros: Macros | None = None, until: float = inf) -> Re
         habits,
         massless=not weighed and _MASS.search(source) is None,
         weightless=_WEIGHT.search(source) is None,
+        units=_unit_vectors(read),
         driven=_driven(read),
     )
     moments = instants(read, habits.moving)
@@ -145,6 +157,20 @@ def reading(source: str, macros: Macros | None = None, until: float = inf) -> Re
         for number, ((passage, each), moment) in enumerate(zip(read, moments, strict=True))
     )
     return Reading(tuple(explained_first(asked)), habits, declared_letters(source))
+
+
+def _unit_vectors(read: Read) -> frozenset[Letter]:
+    """The vectors of which a sentence speaks that calls them unit vectors."""
+    named = set()
+    for _, sentence in groupby(read, key=lambda each: each[0].sentence):
+        said = [(passage, x) for passage, x in sentence if isinstance(x, Statement)]
+        words = " ".join(f"{passage.before} {passage.behind}" for passage, _ in said)
+        if _UNIT.search(words):
+            named |= {x.sides[0] for _, x in said if len(x.sides) == 1}
+    return frozenset(x for x in named if isinstance(x, Letter) and is_vector(x))
+
+
+_UNIT = re.compile(r"\b(?:unit vectors?|Einheitsvektor\w*|vecteurs? unitaires?)\b", re.I)
 
 
 def _driven(read: Read) -> frozenset[Letter]:
@@ -208,6 +234,10 @@ def _step(
         if Cue.DIVISOR in passage.cues:
             return None, replace(context, not_zero=(*context.not_zero, *each.sides))
         if Cue.CONSTANT not in passage.cues:
+            if each.sides[0] in read.habits.units:
+                square = n.Dot(each.sides[0], each.sides[0])
+                one = Constraint(square, n.Number("1"), asked.number, PREMISE)
+                return None, context.holding(one)
             context = _on_circle(each.sides[0], passage, asked.number, context)
             return None, _tending(each.sides[0], passage, context)
         each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
@@ -225,6 +255,8 @@ def _step(
         moment = instant_at(time_of_it)
         context = replace(context, instants={**context.instants, moment: time_of_it})
     context = with_velocities(each, context, asked.number)
+    if Cue.TURNING in passage.cues and moment:
+        context = turning(each, context, asked.number, moment)
     at = situation(passage, asked.number, moment, passage.scope != scope, read.names)
     at = replace(at, case=asked.is_case)
     if has_unit(each.sides[-1]) and not read.habits.moving:

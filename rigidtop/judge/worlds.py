@@ -14,7 +14,7 @@ from operator import attrgetter
 import numpy as np
 import sympy
 from numpy.typing import NDArray
-from sympy import Expr, Rational, Symbol
+from sympy import Expr, I, Mul, Rational, Symbol, factor_terms, fraction, together
 
 from rigidtop.judge.jets import Jet, jet_of, symbols
 from rigidtop.judge.letters import VELOCITIES
@@ -92,12 +92,14 @@ class Gaps:
 class Worlds:
     """Letters with their numbers, a column a world; none where no world was found.
 
-    They are `free` where no equation holds in them.
+    They are `free` where no equation holds in them, and `tied` where they all have a difference of
+    parameters that vanishes: what holds is hardly what is meant then.
     """
 
     letters: tuple[Symbol, ...]
     points: Array
     free: bool = False
+    tied: bool = False
 
     @property
     def count(self) -> int:
@@ -214,19 +216,32 @@ def _found(
     fixed = _parameters(letters)
     weights = np.array([0.3 if x in fixed else _weight(x) for x in letters])
     parameters = np.array([x in fixed and not _is_of(x, may_vanish) for x in letters])
-    sums = [x for e in equations for x in _factors(e) if symbols(x) <= fixed]
+    moved = [e for e in equations if not symbols(e) <= fixed]
+    ties = [x for e in moved for x in _factors(e) if symbols(x) <= fixed]
+    still = [e for e in equations if e not in moved]
     speeds = [x for x in letters if _is_speed(x)]
     backwards = frozenset({*speeds, *(x for x in letters if _is_of(x, may_vanish))})
+    sums = [*ties, *(x for e in still for x in _factors(e))]
     sums += [x - y for x, y in combinations(speeds, 2)]  # after an impact as before it
+    phased = any(x.has(I) for x in equations)
+    amplitudes = np.array([phased and _is_of(x, may_vanish) for x in letters])
     every = np.zeros((len(letters), 0), complex)
     for seed in range(_SEEDS):
         try:
             starts = _starts(letters, seed, backwards)[:, : 3 * enough]
-            points, exact = _solved(equations, letters, starts, weights, enough)
+            points, exact = _with_amplitudes(
+                equations, letters, starts, weights, enough, amplitudes
+            )
+            if not exact.any():
+                points, exact = _solved(equations, letters, starts, weights, enough)
+            if exact.any() and not _stay(points, exact, parameters).any():
+                # A parameter that everything is multiplied by goes to zero.
+                bare = [_without_factors(x, fixed) for x in equations]
+                points, exact = _solved(bare, letters, starts, weights, enough)
             exact &= _is_not_zero(not_zero, letters, points)
         except UnknownFunctionError:
             break
-        exact &= ~(np.abs(points[parameters]) < SMALLEST).any(axis=0)
+        exact = _stay(points, exact, parameters)
         exact &= (np.abs(points) < 1e4).all(axis=0)
         every = np.hstack([every, points[:, exact]])
         if not every.size and (seed or not speeds):
@@ -244,10 +259,45 @@ def _found(
     vanishing = np.array([4 - min(_order(x), 3) for x in letters] + [4] * len(sums)) @ zero
     chosen = vanishing == vanishing.min()
     chosen = chosen & real if (chosen & real).sum() >= 2 else chosen
-    return Worlds(tuple(letters), every[:, chosen][:, :WORLDS])
+    tied = bool(zero[len(letters) : len(letters) + len(ties), chosen].all(axis=1).any())
+    return Worlds(tuple(letters), every[:, chosen][:, :WORLDS], tied=tied)
 
 
 _SEEDS = 3
+
+
+def _with_amplitudes(
+    equations: Sequence[Expr],
+    letters: Sequence[Symbol],
+    starts: Array,
+    weights: NDArray[np.float64],
+    enough: int,
+    amplitudes: NDArray[np.bool_],
+) -> tuple[Array, NDArray[np.bool_]]:
+    """The same with complex numbers for amplitudes alone, where all others are real."""
+    if not amplitudes.any():
+        return starts, np.zeros(starts.shape[1], bool)
+    names = {x for x, is_one in zip(letters, amplitudes, strict=True) if is_one}
+    others = [x for x in equations if not symbols(x) & names]
+    if others:
+        starts, exact = _solved(others, letters, starts, np.where(amplitudes, 0, weights), enough)
+        starts = starts[:, exact]
+    made, exact = _solved(equations, letters, starts, np.where(amplitudes, weights, 0), enough)
+    return made, _stay(made, exact, amplitudes)
+
+
+def _without_factors(equation: Expr, parameters: Collection[Symbol]) -> Expr:
+    """What vanishes in an equation whose parameters do not: neither a factor nor a denominator."""
+    factors = Mul.make_args(factor_terms(fraction(together(equation))[0]))
+    return Mul(*(x for x in factors if x.as_base_exp()[0] not in parameters))
+
+
+def _stay(
+    points: Array, exact: NDArray[np.bool_], parameters: NDArray[np.bool_]
+) -> NDArray[np.bool_]:
+    """The worlds among the exact ones in which none of these letters is zero."""
+    return exact & ~(np.abs(points[parameters]) < SMALLEST).any(axis=0)
+
 
 
 @lru_cache(maxsize=20_000)

@@ -57,6 +57,8 @@ class Cue(Enum):
     """Something arrives at a place: "back on the ground"."""
     TURNING = auto()
     """Something does not move for a moment: "at the highest point"."""
+    STOPPING = auto()
+    """Something has come to rest by then: "it stops after the way"."""
     VANISHING = auto()
     """What was spoken of before vanishes there: "it is zero for"."""
     EXTREME = auto()
@@ -266,6 +268,10 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"|hält\w*[^.;:§]{0,20} das Gleichgewicht|(?:Zentripetal|Zentrifugal|Flieh)kraft"
         r"|compense|force centri\w+)\b",
     ),
+    Cue.STOPPING: (
+        r"\b(?:comes? to (?:a stop|a halt|rest)|stops?|is stopped|halts?|brak(?:es|ing)|bremst"
+        r"|kommt zur Ruhe|bleibt (?:stehen|liegen)|Bremsweg|s'arrête)\b",
+    ),
     Cue.VANISHING: (
         r"\b(?:it|this|that|they|(?:the|this|its) [\w-]+(?: force)?|sie|er|es|dies|die(?:se)? \w+"
         r"|elle|il|cela|ceci|cette \w+) (?:vanish(?:es)?|(?:is|becomes) zero|verschwindet"
@@ -383,6 +389,9 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"\b(?:there|point|place|moment|instant|time|angle)\b[^§.;:]{0,30} where(?: now)?",
         r"\b(?:hits?|meets?|reach(?:es)?|touch(?:es)?|cross(?:es)?|lands?|arrives?)\b[^.;:§]{0,30}"
         r" (?:where|when|as soon as)",
+        r"\b(?:comes? (?:down|back|to rest|to a stop)|returns?|lands?|hits? the \w+"
+        r"|begins? to (?:roll|slip|slide)|lifts? off|turns? back|stops?)(?: again)?,",
+        r"\b(?:turns? back|stops?|lands?|gets? over the top)(?: again)?(?:,? where|,? at)",
         r"\b(?:bei|sobald|zur Zeit|zum Zeitpunkt)|, wo",
         r"(?:^|[.;¶] ?)(?:where|wo|là où) [^,;:.§]{1,40},",
         r"\b(?:en|(?<!rapport )à|lorsque|quand|à l'instant)",

@@ -33,9 +33,52 @@ From rest at $t = 0$
 """
 
 
+TUNNEL = r"""
+At the distance $r$ only the inner mass attracts, $$ F = -\frac{kmM}{R^3}r. $$ So
+"""
+GOVERNOR = r"""
+$$ L = \frac12 ml^2(\dot\theta^2 + \Omega^2\sin^2\theta) + mgl\cos\theta $$
+Besides the lowest position there is another one, $\theta = \theta_0$ with
+"""
+PUSHED = r"""
+A pendulum has the rate $s$ at $\theta = 0$, and $$ \dot\theta^2 = s^2 - 2w^2(1 - \cos\theta). $$
+It turns back at $\theta = \alpha$, where
+"""
+BRAKED = r"""
+$$ m\ddot x = -\mu mg $$ If it starts with the speed $u$ it comes to a stop after the way
+"""
+AXIS = r"""
+Let $\mathbf e$ and $\mathbf k$ be unit vectors, with $\mathbf e\cdot\mathbf k = \cos\theta$. Then
+"""
+BOOK = r"""
+$$ A\dot p = (B - C)qr $$ $$ B\dot q = (C - A)rp $$ $$ C\dot r = (A - B)pq $$
+As long as $q$ and $r$ are small, $p = \Omega$ is constant, and
+"""
+LIMIT = r"""
+$$ \dot\theta^2 = 4w^2\cos^2\frac\theta2 $$ so
+"""
+WIRE = r"""
+$$ J\ddot\varphi = -D\varphi $$ has the period $$ T_0 = 2\pi\sqrt{\frac JD}. $$
+With a ring it becomes
+"""
+
+
 @pytest.mark.parametrize(
     ("above", "line", "old", "new"),
     [
+        (TUNNEL, r"\ddot r = -\frac{kM}{R^3}r", "kM", "2kM"),
+        (GOVERNOR, r"\cos\theta_0 = \frac{g}{l\Omega^2}", "{g}", "{2g}"),
+        (PUSHED, r"\cos\alpha = 1 - \frac{s^2}{2w^2}", "1 -", "1 +"),
+        (BRAKED, r"x_e = \frac{u^2}{2\mu g}", r"{2\mu", r"{3\mu"),
+        (
+            AXIS,
+            r"\mathbf e\times(\mathbf k\times\mathbf e) = \mathbf k - \mathbf e\cos\theta",
+            "-",
+            "+",
+        ),
+        (BOOK, r"BC\ddot q = -(A - B)(A - C)\Omega^2q", "= -", "= "),
+        (LIMIT, r"\dot\theta = 2w\cos\frac\theta2", "2w", "4w"),
+        (WIRE, r"T_1 = 2\pi\sqrt{\frac{J + J_1}{D}}", "+", "-"),
         (THROW, r"t = \frac{2c\sin\beta}{g}", "2c", "3c"),
         (SLIDING, r"v = \frac57 c", "5", "6"),
         (SLIDING, r"\omega = \frac{5c}{7R}", "5c", "6c"),
@@ -44,7 +87,11 @@ From rest at $t = 0$
         (DRAG, r"\beta u = mg\sin\alpha", "sin", "cos"),
         (SINKING, r"v = u(1 - e^{-ct/m})", "-c", "-2c"),
     ],
-    ids=["a time", "a speed", "a rate", "at rest", "given motion", "both equal", "in the end"],
+    ids=[
+        *("a force", "another rest", "turning", "stopping", "unit vectors", "first order"),
+        *("a root", "another body"),
+        *("a time", "a speed", "a rate", "at rest", "given motion", "both equal", "in the end"),
+    ],
 )
 def test_it_follows_at_its_moment_and_with_a_slip_it_does_not(above, line, old, new):
     assert line.count(old) == 1
@@ -70,6 +117,50 @@ def test_a_tie_of_rates_contradicts_one_of_the_places():
 def test_a_link_of_a_chain_in_the_same_constants_is_refuted():
     text = r"$$ x = \int_0^t u(1 - e^{-s/\tau})\,ds = u(t - 1 + e^{-t/\tau}) $$"
     assert judged(text)[-1].outcome.verdict == "false"
+
+
+def test_a_factor_of_what_is_nearly_so_is_told():
+    text = (
+        r"$$ \frac75 b\ddot\varphi = -g\sin\varphi $$ For small angles "
+        r"$$ \ddot\varphi \approx %s\varphi $$"
+    )
+    right, wrong = (judged(text % x)[-1].outcome for x in (r"-\frac{5g}{7b}", r"-\frac gb"))
+    assert right.passed
+    assert (wrong.verdict, wrong.slip) == ("false", "5/7 times as much")
+
+
+def test_an_acceleration_that_is_given_by_others_is_refuted():
+    text = (
+        r"$$ I\ddot\alpha = -k(\alpha - \beta) $$ $$ J\ddot\beta = k(\alpha - \beta) $$"
+        r" The twist $\delta = \alpha - \beta$ obeys $$ \ddot\delta = %s\delta $$"
+    )
+    right, wrong = r"-\left(\frac kI + \frac kJ\right)", r"-\frac{k}{I + J}"
+    assert [judged(text % x)[-1].outcome.passed for x in (right, wrong)] == [True, False]
+
+
+def test_a_slope_by_a_place_has_the_momenta_of_the_function():
+    text = (
+        r"$$ L = \frac12 m\dot r^2 + \frac12(J + mr^2)\dot\theta^2 $$"
+        r"$$ p = (J + mr^2)\dot\theta $$"
+        r"$$ H = \frac12 m\dot r^2 + \frac{p^2}{2(J + mr^2)} $$"
+        r"$$ -\frac{\partial H}{\partial r} = \frac{mrp^2}{%s} $$"
+    )
+    right, wrong = "(J + mr^2)^2", "J + mr^2"
+    assert [judged(text % x)[-1].outcome.passed for x in (right, wrong)] == [True, False]
+
+
+def test_a_velocity_in_time_behind_a_start_from_rest_is_no_start():
+    text = r"From rest it has $\dot z = -gt$, so $$ \ddot z = -g $$ and $$ \ddot z = g $$"
+    assert [row.outcome.passed for row in judged(text)][-2:] == [True, False]
+
+
+def test_no_law_moves_what_is_given():
+    text = (
+        r"The height $X(t)$ is prescribed. "
+        r"$$ L = \frac12 m\dot X^2 + \frac12 n\dot x^2 - k(x - X)^2 $$"
+        r"$$ n\ddot x = -2k(x - X) $$ $$ m\ddot X = 2k(x - X) $$"
+    )
+    assert [row.outcome.passed for row in judged(text)][-2:] == [True, None]
 
 
 def test_a_letter_that_nothing_brings_is_told_where_another_one_is_meant():
