@@ -69,9 +69,9 @@ def _simple(value: float) -> Rational | None:
 
 
 @lru_cache(maxsize=1000)
-def _positive(letter: Symbol) -> Symbol:
-    """A positive letter for another, the same each time: SymPy remembers what it found out."""
-    return sympy.Dummy(letter.name, positive=True)
+def _positive(atom: Expr) -> Symbol:
+    """A positive letter for an atom, the same each time: SymPy remembers what it found out."""
+    return sympy.Dummy(getattr(atom, "name", "positive"), positive=True)
 
 
 def is_zero(expression: Expr, move: Move) -> bool:
@@ -91,6 +91,10 @@ def is_zero(expression: Expr, move: Move) -> bool:
         return quadrature.vanishes(signed)
     if not signed.is_commutative or not signed.has(sympy.Pow):
         return False
+    # Of a positive cosine √(1/cos β) is 1/√(cos β), whatever else a cosine is.
+    waves = {c.expression for c in bounded if isinstance(c.expression, sympy.Function)}
+    if waves and vanishes(signed.xreplace({x.xreplace(signs): _positive(x) for x in waves})):
+        return True
     flat, relations = flat_with(expression, bounded)
     flat, known = flat.xreplace(signs), [x.xreplace(signs) for x in relations]
     sides = [x.lhs for x in known if isinstance(x, sympy.Gt)]

@@ -233,6 +233,11 @@ Call the amplitude => \chi = \theta^2
 Rewrite it => \theta^2 = \chi
 Take the root of it, for $\theta < 0$ => -\theta = \sqrt\chi
 """,
+    "a root of one by a positive cosine": r"""
+Call the amplitude => \chi = \sqrt{\cos\theta}
+Call the excess => \tau = \frac1\chi
+Put the amplitude into it, for $\cos\theta > 0$ => \tau = \sqrt{\frac1{\cos\theta}}
+""",
     "the rate of a component along a fixed axis": r"""
 Set $\mathbf N = 0$ at all times in the law of angular momentum => \dot{\mathbf L} = 0
 Take the component of it along $\hat{\mathbf z}$ => \hat{\mathbf z}\cdot\dot{\mathbf L} = 0
@@ -308,6 +313,22 @@ Subtract the balance from it => 0 \approx -MgR\sin\theta
 Divide the balance by $\sin\theta$ => 0 \approx \lambda_1\dot\phi^2\cos\theta - p_\psi\dot\phi + MgR
 """,
         "nothing was neglected",
+    ),
+    "a root of one by a cosine of any sign": (
+        r"""
+Call the amplitude => \chi = \sqrt{\cos\theta}
+Call the excess => \tau = \frac1\chi
+Put the amplitude into it => \tau = \sqrt{\frac1{\cos\theta}}
+""",
+        "does not arrive",
+    ),
+    "a root of one by another positive cosine": (
+        r"""
+Call the amplitude => \chi = \sqrt{\cos\theta}
+Call the excess => \tau = \frac1\chi
+Put the amplitude into it, for $\cos\phi > 0$ => \tau = \sqrt{\frac1{\cos\theta}}
+""",
+        "does not arrive",
     ),
     "one root of two": (
         r"""
