@@ -26,6 +26,9 @@ NUMBERS = {
     # K(0.2) = 1.65962 in tables.
     ("freebody", "whole-turn"): {"period": 5.4203, "clock": 11 / math.sqrt(26) * 5.4203},
     ("freebody", "turnover"): {"longer": 2 * math.log(10) * math.sqrt(5) / (2 * math.pi)},
+    # A pendulum from 179° takes 3.90107 times as long for a swing as for a small one.
+    ("gyrocompass", "swing"): {"period": 14.180, "time": 3.90107 * 14.180 / 4},
+    ("gyrocompass", "course"): {"error": 10.3 / 298.62, "farthest": 2 * 10.3 / 298.62},
     ("rolling", "race"): {"hoop": 1.544, "ball": 1.292, "rough": math.tan(math.radians(20)) / 2},
     ("rolling", "turntable"): {"time": 7.0, "radius": 0.35 / math.pi},
     # The last by Rauch-Wojciechowski and Rutstam, SIGMA 10 (2014) 017: their threshold of J.
@@ -46,6 +49,8 @@ OTHERS = {
     ("foucault", "pantheon"): {"length": 5.0, "A": 0.2, "latitude": 1.2},
     ("freebody", "whole-turn"): {"lambda2": 1.6, "lambda3": 2.0, "a3": 2.7},
     ("freebody", "turnover"): {"lambda3": 2.6, "push": 0.3},
+    ("gyrocompass", "swing"): {"alpha": 1.0, "latitude": -1.2, "ratio": 1.4},
+    ("gyrocompass", "course"): {"speed": 250.0, "latitude": 1.3},
     ("rolling", "race"): {"slope": 1.0, "R": 0.5},
     ("rolling", "turntable"): {"turn": 0.7, "d": 0.0},
     ("tippe", "spin"): {"h": 0.005, "omega3": 50.0},

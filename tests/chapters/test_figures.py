@@ -156,6 +156,26 @@ def test_a_tippe_top_keeps_what_jellett_found_and_never_has_less_energy_than_the
     assert figures.risen(20.0, 0.2).theta[-1] < figures.START
 
 
+def test_the_axis_swings_about_north_as_a_pendulum_and_a_liquid_brings_it_to_rest():
+    figures, compass = beside("gyrocompass", "figures"), beside("gyrocompass", "compass")
+    values = {"turns": 20000.0, "latitude": math.radians(50)}
+    time = figures.whole(1e-3, **values)
+    assert time == pytest.approx(14.18, rel=1e-4)
+    t, angle = figures.swings(1e-3, time=time, **values)
+    np.testing.assert_allclose(angle, 1e-3 * np.cos(2 * math.pi * t / time), atol=1e-8)
+    t, angle = figures.swings(2.0, time=figures.whole(2.0, **values), **values)
+    np.testing.assert_allclose(angle[::100], [2, 0, -2, 0, 2], atol=1e-5)
+    # (4.2) and (4.3).
+    spin, nu = values["turns"] * compass.MINUTE, 2 * math.pi / time
+    t = np.linspace(0.0, 30.0, 61)
+    for gamma, wanted in (
+        (0.6 * nu, np.exp(-0.6 * nu * t) * (np.cos(0.8 * nu * t) + 0.75 * np.sin(0.8 * nu * t))),
+        (nu, (1 + nu * t) * np.exp(-nu * t)),
+    ):
+        run = compass.let_go(1e-3, spin, values["latitude"], damping=gamma).integrate(t)
+        np.testing.assert_allclose(run.q[:, 0], 1e-3 * wanted, atol=1e-8)
+
+
 def test_a_wheel_has_the_share_of_the_acceleration_that_its_caption_says():
     rolling = beside("rolling", "rolling")
     for ratio in (1.0, 0.5, 0.4):
