@@ -198,7 +198,9 @@ def number_again(question: Question) -> Judgement | None:
     measured = any(isinstance(x, n.Unit) for x in n.walked(older.node))
     given = not own_letters(older.node) and (measured or not own_letters(question.right))
     new = not at.repeated if measured else at.inline
-    other = (new and not at.derived) or (measured and bool(own_letters(question.right)))
+    other = (
+        at.extreme or (new and not at.derived) or (measured and bool(own_letters(question.right)))
+    )
     other &= not question.inner
     if not given or not (other or _may_be_another(question, older)):
         return None

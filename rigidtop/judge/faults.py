@@ -37,7 +37,7 @@ from rigidtop.judge.question import Pair, Question, paired
 from rigidtop.judge.sides import ZERO, entries, letters_of, named, own_letters
 from rigidtop.judge.slips import Change, changes, times
 from rigidtop.judge.values import UnclearError, plain
-from rigidtop.judge.vocabulary import Meant
+from rigidtop.judge.vocabulary import Curvature, Meant
 from rigidtop.judge.worlds import Worlds
 from rigidtop.judge.written import written
 from rigidtop.tree import nodes as n
@@ -101,6 +101,8 @@ def slip(
         return None
     if question.worlds.points.imag.any() and _has_size(question):
         return None  # how large a complex number is is not seen
+    if counts(question):
+        return None
     with patience.search(SLIP_SECONDS) as until:
         change = next(_right_changes(question, compared, letter, most, until), None)
     if change is None:
@@ -109,6 +111,16 @@ def slip(
     why = f"it holds with {change.words}"
     outcome = Outcome(FALSE, why, question.rests_on, change.words, right)
     return Slip(change, outcome, _righted(question, change))
+
+
+def counts(question: Question) -> bool:
+    """Whether a multiple of π stands in it that is counted: the n of n π has no other value."""
+    nodes = (x for side in (question.left, question.right) for x in n.walked(side))
+    products = (x.factors for x in nodes if isinstance(x, n.Product))
+    return any(
+        Letter("π") in factors and any(isinstance(x, Letter) and x.base in "nkjNℓ" for x in factors)
+        for factors in products
+    )
 
 
 def _has_size(question: Question) -> bool:
@@ -434,8 +446,15 @@ def contradiction(question: Question, most: float = LIKELY) -> Outcome | None:
 
     Of the changes none is less likely than `most`.
     """
+    if all(_changes(question, x) and not _changes(question, y) for x, y in question.both):
+        return None  # a value that it has somewhere
     with question.patience.search(SLIP_SECONDS / 2) as until:
         return _contradiction(question, most, until)
+
+
+def _changes(question: Question, value: Expr) -> bool:
+    """Whether it changes in time."""
+    return question.moves(value) or value.has(TIME)
 
 
 def _contradiction(question: Question, most: float, until: float) -> Outcome | None:
@@ -446,7 +465,7 @@ def _contradiction(question: Question, most: float, until: float) -> Outcome | N
         if definition.number in question.rests_on_meaning
         and definition.number not in context.supported
         and is_open(definition.scope, question.at.scope)
-        and not isinstance(definition.node, Meant)
+        and not any(isinstance(x, (Meant, Curvature)) for x in n.walked(definition.node))
     ]
     told: list[Outcome] = []
     for letter, definition in sorted(names, key=lambda x: -x[1].number)[:3]:
@@ -515,7 +534,7 @@ def _in_the_same_letters(question: Question) -> bool:
     one, other = ({x for pair in question.both for x in symbols(pair[k])} for k in (0, 1))
     ties = (each for each in question.equations if not question.moves(each))
     tied = {x for each in ties for x in symbols(each)}
-    return one == other and not question.moves(*one) and not one & tied
+    return one == other and not question.moves(*one) and not one & tied and not counts(question)
 
 
 def _is_value_then(question: Question) -> bool:

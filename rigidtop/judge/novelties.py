@@ -134,6 +134,8 @@ def _rate_follows(question: Question, letter: Letter) -> bool:
         or question.path is not None
     ):
         return False
+    if any(jet.order > 1 for gap in question.gaps for jet in jets(gap).values()):
+        return False  # nothing is integrated in an acceleration
     rates = [rate(gap, question.moving) for gap in question.gaps]
     speaks = any(gap.has(x) for gap in question.gaps) and not any(r.has(x) for r in rates)
     if not speaks or not any(rates):

@@ -182,9 +182,10 @@ def solves(question: Question, value: Expr, begins: bool = True) -> bool:
     left = tuple(c for c in path.context.constraints if c not in solved)
     if not question.new_letters:  # else they say what the new letters are
         said = [c for c in left if c.instant and path.letter in c.letters]
+        ends = [c for c in said if isinstance(c.left, n.Rate) and c.right == ZERO]
         # Whether it is so at a moment of which no time is known, as "in the end", is not seen.
         timed = {START, *path.context.instants}
-        starts = tuple(c for c in said if c.instant in timed)
+        starts = tuple(c for c in said if c.instant in timed or c not in ends)
         left = tuple(c for c in left if c in starts or c not in said)
         tried = Definition(Meant(value), question.at.number, question.at.scope)
         begun = residuals(

@@ -152,7 +152,12 @@ def _slopes(statement: Statement, context: Context) -> list[Node]:
     names = {letter} if isinstance(letter, Letter) else letters_in(statement)
     bare = {x if x in context.letters else replace(x, sub="") for x in names}
     said = context.said[-1]
-    return [Derivative(said, (x,)) for x in sorted(bare & letters(said), key=str)]
+    values = [d.node for d in context.definitions.values()]
+    return [
+        Derivative(said, (x,))
+        for x in sorted(bare & letters(said), key=str)
+        if sum(x in letters(node) for node in values) < 2  # else it may be of another one
+    ]
 
 
 def _vanishing(context: Context, at: Situation, sides: Iterable[Node]) -> Context:

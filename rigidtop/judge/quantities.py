@@ -159,6 +159,10 @@ def _in_a_case(context: Context, letter: Letter) -> Iterator[Quantity]:
         yield Quantity(f"{in_words(bare)} there", bare)
 
 
+_INERTIAS = frozenset("JIΘ")
+"""Moments of inertia, which add up where a body is laid on another."""
+
+
 def _of_another(question: Question, letter: Letter) -> Iterator[Quantity]:
     """What the letter without its index is with others of that index in place, or added.
 
@@ -172,7 +176,8 @@ def _of_another(question: Question, letter: Letter) -> Iterator[Quantity]:
     own = {x: replace(x, sub="") for x in own_letters(question.right) if x.sub == letter.sub}
     if not letter.sub or bare == letter or not own.keys() - {letter}:
         return
-    for added in (False, True):
+    sums = all(is_mass(x) or x.base in _INERTIAS for x in own if x != letter)
+    for added in (False, True) if sums else (False,):
         node = known[bare]
         for other, plain in own.items():
             node = n.replaced(node, plain, n.Group(n.Sum((plain, other))) if added else other)
@@ -523,11 +528,27 @@ def _extremes(question: Question, letter: Letter) -> Iterator[Quantity]:
             if not right.has(x) and _is_extreme(value, right, x, which):
                 yield Quantity(words, Meant(right))
                 return
-        at, kept = question.at, own_letters(question.right)
-        for x in sorted(own_letters(context.definitions[base].node) - kept, key=str):
-            slope = n.Derivative(base, (x,))
-            there = Constraint(slope, ZERO, at.number, SETTING, at.scope, "", at.sentence)
-            yield Quantity(words, base, context.holding(there))
+        for x in sorted(own_letters(context.definitions[base].node), key=str):
+            if x not in own_letters(question.right) and _is_flat(question, base, x, letter.sub):
+                yield Quantity(words, Meant(right))
+                return
+
+
+def _is_flat(question: Question, base: Letter, x: Letter, which: str) -> bool:
+    """Whether the right side is what a letter is where its slope vanishes, as it bends there."""
+    at, context = question.at, question.context
+    slope = n.Derivative(base, (x,))
+    there = context.holding(Constraint(slope, ZERO, at.number, SETTING, at.scope))
+    asked = replace(question.within(there), left=base, asked=None)
+    if not asked.worlds.count or not asked.holds():
+        return False
+    signs = asked.worlds.signs([asked.meaning().scalar(n.Derivative(base, (x, x)))])
+    wanted = _BENDS.get(which, (-1, 1))
+    return signs is not None and any(bool((signs == sign).all()) for sign in wanted)
+
+
+_BENDS = {"max": (-1,), "top": (-1,), "min": (1,)}
+"""How something bends at its greatest value, and at its least one."""
 
 
 def _runs(value: Expr, question: Question) -> list[Symbol]:

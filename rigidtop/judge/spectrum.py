@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 
+import numpy as np
 import sympy
 from sympy import Dummy, Expr, I, ImmutableMatrix, PolynomialError, Symbol, fraction, together
 
+from rigidtop.judge import worlds as w
 from rigidtop.judge.faults import slip
 from rigidtop.judge.jets import Jet, jets, symbol
 from rigidtop.judge.letters import FREQUENCIES
@@ -38,16 +40,25 @@ class Secular:
     def at(self, root: Expr) -> Expr:
         return self.gap.subs(self.unknown, root)
 
+    @cached_property
+    def _powers(self) -> list[int]:
+        """The powers of the unknown in it; none where it is no polynomial."""
+        over, _ = fraction(together(self.gap))
+        try:
+            return [int(power) for (power,) in sympy.Poly(over, self.unknown).monoms()]
+        except PolynomialError:
+            return []
+
+    @property
+    def is_even(self) -> bool:
+        """Whether with each root its negative is one."""
+        return all(power % 2 == 0 for power in self._powers)
+
     @property
     def roots(self) -> int:
         """How many roots of either sign it has; 0 where it is no polynomial."""
-        over, _ = fraction(together(self.gap))
-        try:
-            powers = sympy.Poly(over, self.unknown).monoms()
-        except PolynomialError:
-            return 0
-        highest = int(max(power for (power,) in powers))
-        return highest // 2 if all(power % 2 == 0 for (power,) in powers) else highest
+        highest = max(self._powers, default=0)
+        return highest // 2 if self.is_even else highest
 
 
 def with_meaning(question: Question, judgement: Judgement) -> Judgement:
@@ -59,13 +70,17 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
     name = _named(question)
     if outcome.verdict not in (DEFINITION, PREMISE) or name is None:
         return judgement
+    if Cue.ELSEWHERE in question.at.cues:
+        return judgement
     with suppress(UnclearError, UnknownFunctionError):
         for each in _equations(question, name):
+            if name.sub.isdigit() and int(name.sub) > each.roots:
+                continue  # it has no such root
             wide = question.of([*question.both, (each.gap, each.gap)])
             if _is_root(question, each, question.both, wide.worlds):
                 rests_on = wide.rests_on | each.rests_on
                 return replace(outcome, verdict=SAMPLED, why="", rests_on=rests_on), context
-            if each.roots < 2 or not (question.at.derived or question.at.oscillates):
+            if each.roots < 2 or Cue.SEVERAL not in question.at.cues:
                 continue
             wrong = slip(wide, partial(_is_root, question, each))
             if wrong is not None:
@@ -74,11 +89,15 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
     return judgement
 
 
+_INDICES = frozenset({*"1234+-", "I", "II"})
+"""Indices that number roots."""
+
+
 def _named(question: Question) -> Letter | None:
     """The letter with an index that the left side, or its root, is, if it is a new one."""
     left, at = question.left, question.at
     name = left.base if isinstance(left, n.Power) and left.exponent == n.Number("2") else left
-    if not isinstance(name, Letter) or name.bold or name.sub in ("", "0"):
+    if not isinstance(name, Letter) or name.bold or name.sub not in _INDICES:
         return None
     named = at.instant or question.inner or at.supposed or at.defined
     return None if named or name in question.context.definitions else name
@@ -144,4 +163,20 @@ def _is_root(question: Question, each: Secular, both: Sequence[Pair], worlds: Wo
         return False
     root = sympy.sqrt(right) if isinstance(question.left, n.Power) else right
     other = each.at(root * sympy.Rational(7, 5))
-    return bool(worlds.holds([(each.at(root), 0 * root)])) and not worlds.vanish([other])
+    if not worlds.holds([(each.at(root), 0 * root)]) or worlds.vanish([other]):
+        return False
+    cues = question.at.cues & {Cue.LEAST, Cue.GREATEST}
+    return not cues or _is_last(each, root, worlds, Cue.GREATEST in cues)
+
+
+def _is_last(each: Secular, root: Expr, worlds: Worlds, greatest: bool) -> bool:
+    """Whether a root is the greatest one, or the least one, in every world."""
+    over, _ = fraction(together(each.gap))
+    coefficients = sympy.Poly(over, each.unknown).all_coeffs()
+    values = worlds.program.values([root, *coefficients]).values
+    for own, *column in values.T:
+        roots = np.abs(np.roots(column)) if each.is_even else np.roots(column).real
+        last = roots.max() if greatest else roots.min()
+        if abs(own.real - last) > w.CLOSE * abs(last):
+            return False
+    return True

@@ -103,6 +103,8 @@ def with_coordinates(statement: Statement, at: Situation, context: Context) -> C
     if not letters_in(statement) & context.habits.moving & {*axes}:
         return None
     entries = tuple(x if x in context.habits.moving else Number("0") for x in axes)
+    if len({*axes} & context.habits.moving) < 2:
+        return None
     columns = {place: Tuple(entries), velocity: Tuple(tuple(Rate(x, 1, True) for x in entries))}
     free = context.letters - context.definitions.keys()
     made = context

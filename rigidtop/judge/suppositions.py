@@ -76,7 +76,8 @@ def _possible(
     yield Supposition(statement, at, weighed or context, words="with g = 9.81 m/s²")
     pushed = with_newton(statement, context, at.number)
     yield Supposition(statement, at, pushed or context, words="by Newton's law")
-    columns = with_coordinates(statement, at, context)
+    by_axes = Cue.COMPONENTS in at.cues and Cue.ELSEWHERE not in at.cues
+    columns = with_coordinates(statement, at, context) if by_axes else None
     yield Supposition(statement, at, columns or context, lasts=True, tells=True)
     begun = places.begun(statement, at, context)
     if begun is not None:
@@ -94,8 +95,8 @@ def _possible(
         yield Supposition(statement, at, thrown or context, words="with no potential energy")
         forced = with_force(statement, context, at.number)
         yield Supposition(statement, at, forced or context, lasts=True, tells=True)
-    anywhere = Cue.GENERAL in at.cues
-    if not anywhere and (not at.instant or not _is_placed(at.instant, context)):
+    meant_there = Cue.THERE in at.cues and not at.cues & {Cue.GENERAL, Cue.ELSEWHERE}
+    if meant_there and (not at.instant or not _is_placed(at.instant, context)):
         then = _at_the_latest_moment(statement, at, context)
         yield Supposition(statement, then or at, context, words="at that moment")
         timed = _at_the_latest_time(statement, context)

@@ -216,9 +216,9 @@ def _found(
     fixed = _parameters(letters)
     weights = np.array([0.3 if x in fixed else _weight(x) for x in letters])
     parameters = np.array([x in fixed and not _is_of(x, may_vanish) for x in letters])
-    moved = [e for e in equations if not symbols(e) <= fixed]
-    ties = [x for e in moved for x in _factors(e) if symbols(x) <= fixed]
-    still = [e for e in equations if e not in moved]
+    still = [e for e in equations if symbols(e) <= fixed]
+    factors = (x for e in equations if e not in still for x in _factors(e) if symbols(x) <= fixed)
+    ties = [x for x in factors if not any(symbols(x) <= symbols(e) for e in still)]
     speeds = [x for x in letters if _is_speed(x)]
     backwards = frozenset({*speeds, *(x for x in letters if _is_of(x, may_vanish))})
     sums = [*ties, *(x for e in still for x in _factors(e))]
@@ -297,7 +297,6 @@ def _stay(
 ) -> NDArray[np.bool_]:
     """The worlds among the exact ones in which none of these letters is zero."""
     return exact & ~(np.abs(points[parameters]) < SMALLEST).any(axis=0)
-
 
 
 @lru_cache(maxsize=20_000)

@@ -112,6 +112,13 @@ def unequal(heard: frozenset[Cue], text: str, display: bool) -> frozenset[Cue]:
     return heard - supposed | {Cue.CONDITION} if supposed and not display else heard
 
 
+_OF_THE_SENTENCE = {
+    *(Cue.EQUILIBRIUM, Cue.OSCILLATION, Cue.CIRCLE, Cue.EQUAL_MASSES),
+    *(Cue.ELSEWHERE, Cue.COMPONENTS, Cue.THERE, Cue.SEVERAL),
+}
+"""Cues that hold of all formulas that follow in a sentence."""
+
+
 def passed_on(
     heard: frozenset[Cue], opening: str, before: str, display: bool, follower: bool
 ) -> frozenset[Cue]:
@@ -121,7 +128,7 @@ def passed_on(
     the one and the other stand on a line of their own.
     """
     moment = heard & {Cue.MOMENT} if not _CONCLUSION.search(before) else frozenset()
-    moment |= heard & {Cue.EQUILIBRIUM, Cue.OSCILLATION, Cue.CIRCLE, Cue.EQUAL_MASSES}
+    moment |= heard & _OF_THE_SENTENCE
     if Cue.RANGE in heard and _TO.fullmatch(before.strip()):
         moment |= {Cue.RANGE}
     if not enumerates(before):

@@ -59,6 +59,18 @@ class Cue(Enum):
     """Something does not move for a moment: "at the highest point"."""
     STOPPING = auto()
     """Something has come to rest by then: "it stops after the way"."""
+    ELSEWHERE = auto()
+    """It is said of something else, or of what has been changed: "for a second body"."""
+    LEAST = auto()
+    """It is the smallest one of several."""
+    GREATEST = auto()
+    """It is the largest one of several."""
+    SEVERAL = auto()
+    """It is one of several of its kind: "the frequencies are"."""
+    COMPONENTS = auto()
+    """It is a component of what stands above."""
+    THERE = auto()
+    """It is so at the moment of which was spoken before: "from there on"."""
     VANISHING = auto()
     """What was spoken of before vanishes there: "it is zero for"."""
     EXTREME = auto()
@@ -108,6 +120,7 @@ _PLACE = (
     r"|point (?:next|nearest|closest|furthest|farthest)[^,;:§]{0,30}|(?:same |first |last )?moment"
     r"|instant|(?:peri|ap)helion|perigee|apogee|(?:peri|apo)cent(?:re|er)|maximum|minimum|middle|cent(?:re|er)|wall|surface|axis|rim)"
 )
+_OF_SEVERAL = r" (?:of|one|mode|root|frequency|frequencies|eigen\w+|value|moment)\b"
 _SMALL = (
     r"(?:small(?:ness of)? (?:§|angles?|oscillations?|vibrations?|displacements?|deviations?"
     r"|swings?"
@@ -272,6 +285,28 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"\b(?:comes? to (?:a stop|a halt|rest)|stops?|is stopped|halts?|brak(?:es|ing)|bremst"
         r"|kommt zur Ruhe|bleibt (?:stehen|liegen)|Bremsweg|s'arrête)\b",
     ),
+    Cue.ELSEWHERE: (
+        r"\b(?:means?|average|middle|half[ -]?way|half lives?|difference|held|clamped|motor"
+        r"|dr[io]v\w+|excit\w+|disturb\w+|instead|another|twice|doubled?|three times|halved?"
+        r"|stiffer|heavier|lighter|relative|drift\w*|seen from|alone|no longer|removed|shorten\w*"
+        r"|in (?:a row|series)"
+        r"|(?:turning|rotating|moving) (?:\w+ )?(?:axes|frame|disc|table)|cent(?:re|er) of mass"
+        r"|(?:second|third|other) (?!one|hand|root|mode|law|side|equation|solution|frequenc|eigen"
+        r"|value|component|coordinate)\w+|in step|in phase|out of phase|against each other|opposite"
+        r"|(?:keeps?|has|with) (?:its|the) (?:natural )?length|numbered)\b",
+    ),
+    Cue.LEAST: (rf"\b(?:lower|lowest|slow(?:er|est)?|smaller|smallest|least){_OF_SEVERAL}",),
+    Cue.GREATEST: (
+        rf"\b(?:higher|highest|fast(?:er|est)?|greater|greatest|larger|largest){_OF_SEVERAL}",
+    ),
+    Cue.SEVERAL: (
+        r"\b(?:frequencies|modes|eigen(?:values|frequencies)|roots|solutions|Frequenzen|Wurzeln"
+        r"|Eigen(?:werte|frequenzen)|Lösungen|valeurs propres|pulsations|racines)\b",
+    ),
+    Cue.COMPONENTS: (
+        r"\b(?:components?|coordinates?|componentwise|Komponenten?|Koordinaten?|composantes?)\b",
+    ),
+    Cue.THERE: (r"\b(?:from (?:then|there|that moment) on|by then|this is|von da an|dès lors)\b",),
     Cue.VANISHING: (
         r"\b(?:it|this|that|they|(?:the|this|its) [\w-]+(?: force)?|sie|er|es|dies|die(?:se)? \w+"
         r"|elle|il|cela|ceci|cette \w+) (?:vanish(?:es)?|(?:is|becomes) zero|verschwindet"
@@ -313,11 +348,11 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"|gleiche[nr]? Massen|masses égales)\b",
     ),
     Cue.BOTH_EQUAL: (
-        r"\b(?:both|the two|the two \w+|these|these two|they)(?: \w+)?"
+        r"\b(?:both|the two|these two|they)(?: (?:forces|torques|energies|sides|moments))?"
         r" (?:are|must be|have to be|become) equal\b"
-        r"|\b(?:both|the two|these|they)(?: \w+)? (?:cancel|balance)(?: each other| out)?\b"
-        r"|\bbeide(?: \w+)? (?:sind )?(?:gleich(?: groß)?|einander gleich)\b"
-        r"|\b(?:les deux|elles)(?: \w+)? (?:sont égale?s?|se compensent|s'équilibrent)\b",
+        r"(?! (?:but|and opposite|in (?:size|magnitude)))",
+        r"\bbeide(?: Kräfte)? (?:sind )?(?:gleich(?: groß)?|einander gleich)\b",
+        r"\bles deux(?: forces)? sont égale?s?\b",
     ),
     Cue.CIRCLE: (r"\b(?:on an? (?:\w+ )?circle|circular|Kreisbahn\w*|circulaire)\b",),
     Cue.OSCILLATION: (

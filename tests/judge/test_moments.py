@@ -69,7 +69,7 @@ With a ring it becomes
         (TUNNEL, r"\ddot r = -\frac{kM}{R^3}r", "kM", "2kM"),
         (GOVERNOR, r"\cos\theta_0 = \frac{g}{l\Omega^2}", "{g}", "{2g}"),
         (PUSHED, r"\cos\alpha = 1 - \frac{s^2}{2w^2}", "1 -", "1 +"),
-        (BRAKED, r"x_e = \frac{u^2}{2\mu g}", r"{2\mu", r"{3\mu"),
+        (BRAKED, r"s = \frac{u^2}{2\mu g}", r"{2\mu", r"{3\mu"),
         (
             AXIS,
             r"\mathbf e\times(\mathbf k\times\mathbf e) = \mathbf k - \mathbf e\cos\theta",
