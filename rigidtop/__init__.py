@@ -22,9 +22,10 @@ if TYPE_CHECKING:
     from rigidtop.motion.trajectory import Trajectory
     from rigidtop.system.linkage import Joint, Link
     from rigidtop.system.mechanism import Mechanism
-    from rigidtop.system.motion import SystemMotion, SystemSection, SystemTrajectory
+    from rigidtop.system.motion import SystemMotion
     from rigidtop.system.parts import Body, Mass
     from rigidtop.system.system import System
+    from rigidtop.system.trajectory import SystemSection, SystemTrajectory
     from rigidtop.web.notebook import show
 
     __version__: str
@@ -74,9 +75,10 @@ _ROOMS = {
     "motion.trajectory": ("Trajectory",),
     "system.linkage": ("Joint", "Link"),
     "system.mechanism": ("Mechanism",),
-    "system.motion": ("SystemMotion", "SystemSection", "SystemTrajectory"),
+    "system.motion": ("SystemMotion",),
     "system.parts": ("Body", "Mass"),
     "system.system": ("System",),
+    "system.trajectory": ("SystemSection", "SystemTrajectory"),
     "web.notebook": ("show",),
 }
 _HOMES = {name: f"rigidtop.{room}" for room, names in _ROOMS.items() for name in names}

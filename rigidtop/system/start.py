@@ -3,15 +3,112 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from html import escape
 from typing import Any
 
 import numpy as np
 from sympy import Expr, Symbol
 
+from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.attitude import Floats
 from rigidtop.system.names import Given
-from rigidtop.system.numeric import Computed
+from rigidtop.system.numeric import Computed, computed
+
+HOLDS = 1e-9
+"""How well a constraint has to hold at the start, relative to its terms."""
+
+
+@dataclass(frozen=True, repr=False)
+class SystemStart:
+    """A system with its parameters and its state at t = 0."""
+
+    system: Computed
+    parameters: tuple[float, ...]
+    """In the order of `System.parameters`."""
+
+    q: tuple[float, ...]
+    qdot: tuple[float, ...]
+
+    def __repr__(self) -> str:
+        names = self.system.names
+        start = [f"{x.name}={a:g}" for x, a in zip(names.q, self.q, strict=True)]
+        start += [f"{names.spelled(v)}={a:g}" for v, a in zip(names.v, self.qdot, strict=True)]
+        return f"{type(self).__name__}({', '.join(start)})"
+
+    def _repr_html_(self) -> str:
+        """Where it starts, and its parameters, for notebooks."""
+        names = self.system.names
+        values = {names.spelled(x): a for x, a in zip(names.q, self.q, strict=True)}
+        values |= {names.spelled(x): a for x, a in zip(names.v, self.qdot, strict=True)}
+        known = zip(self.system.parameters, self.parameters, strict=True)
+        values |= {x.name: a for x, a in known}
+        head = "".join(f"<th>{escape(name)}</th>" for name in values)
+        row = "".join(f"<td>{a:.6g}</td>" for a in values.values())
+        return f"<table><thead><tr>{head}</tr></thead><tbody><tr>{row}</tr></tbody></table>"
+
+    def check(self) -> None:
+        """Raises RigidtopError where the motion can't start so."""
+        if self.system.constraints:
+            self._check_rules()
+        self.keeps_signs(np.array(self.q)[:, None])
+        self.rates_at([*self.q, *self.qdot, *([0.0] * self.more)])
+
+    def _check_rules(self) -> None:
+        """Raises RigidtopError where a constraint, or its rate, does not hold at the start."""
+        found = self.at_start(self.system.numeric.holding, "a constraint")
+        names = [f"constraint {rule} = 0" for rule in self.system.constraints]
+        names += [f"rate of the {name}" for name in names]
+        for name, value, size in zip(names, found[::2], found[1::2], strict=True):
+            if abs(value) > HOLDS * max(size, 1e-300):
+                raise RigidtopError(f"the {name} does not hold at the start: it is {value:.6g}")
+
+    def at_start(self, function: Function, what: str) -> tuple[float, ...]:
+        """The values of a function at the start; one that has none is told in one line."""
+        row = (0.0, *self.q, *self.qdot, *self.parameters)
+        found, why = computed(lambda row: function.scalar(*row), row)
+        if why:
+            raise RigidtopError(f"{what} can't be computed at the start: {why}")
+        return found
+
+    @property
+    def more(self) -> int:
+        """Components of the state besides q and q̇: the work, the time."""
+        return int(self.system.numeric.works) + int(self.system.numeric.timed)
+
+    def _rates(self, state: Sequence[float]) -> tuple[float, ...]:
+        """ẋ of the state x = (q, q̇, work, t)."""
+        numeric = self.system.numeric
+        n = len(self.q)
+        time = state[-1] if numeric.timed else 0.0
+        made = numeric.rates.scalar(time, *state[: 2 * n], *self.parameters)
+        return (*made, 1.0) if numeric.timed else tuple(made)
+
+    def rates_at(self, state: Sequence[float]) -> tuple[float, ...]:
+        """The same, what can't be computed in one line."""
+        made, why = computed(self._rates, state)
+        if why:
+            n = len(self.q)
+            place = ", ".join(
+                f"{x.name} = {value:g}"
+                for x, value in zip(self.system.names.q, state[:n], strict=True)
+            )
+            raise RigidtopError(
+                f"the accelerations can't be computed at {place}: {why}; the mass matrix or a "
+                "force is singular there"
+            )
+        return tuple(made)
+
+    def keeps_signs(self, states: Floats) -> None:
+        """Raises RigidtopError where a coordinate has left the side on which it was declared."""
+        for k, sign in self.system.one_sided:
+            if not np.all(sign * states[k] > 0):
+                words = "positive" if sign > 0 else "negative"
+                raise RigidtopError(
+                    f"{self.system.names.q[k].name} is declared {words}, and does not stay so: "
+                    "declare it real"
+                )
 
 
 def row(system: Computed, what: str, given: Given) -> dict[Symbol, Any]:
