@@ -88,6 +88,11 @@ class Balanced:
         """∂L/∂q of a coordinate."""
         return self.graph.derivative(self.lagrangian, Direction({x: ONE}))
 
+    def gradients(self, values: Iterable[Value], letters: Iterable[Expr]) -> list[list[Value]]:
+        """Of each value its derivatives by letters."""
+        directions = [Direction({x: ONE}) for x in letters]
+        return [[self.graph.derivative(x, along) for along in directions] for x in values]
+
     @property
     def leaves(self) -> list[Expr]:
         """The letters that enter."""

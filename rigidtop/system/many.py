@@ -15,10 +15,10 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import abreast, checks, taylor
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import TAYLOR, Accuracy, sides
-from rigidtop.system.motion import TOO_SMALL, SystemMotion
+from rigidtop.system.motion import SystemMotion
 from rigidtop.system.names import Given, as_assumed, numbers
 from rigidtop.system.numeric import Computed
-from rigidtop.system.start import row, sizes, with_units
+from rigidtop.system.start import TOO_SMALL, row, sizes, with_units
 
 AT_ONCE = 1 << 11
 """So many motions at a time: NumPy's calls cost little then, and the arrays stay near."""

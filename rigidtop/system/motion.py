@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
@@ -16,19 +16,18 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import Accuracy, Flow, Problem, flow, on_both_sides
+from rigidtop.motion.systems import Sizes
 from rigidtop.parameters import in_one_line
 from rigidtop.system.events import Watched, Zeros, joined_zeros, zeros
 from rigidtop.system.held import Surface
 from rigidtop.system.names import Given, expression, numbers
 from rigidtop.system.numeric import Computed, computed
-from rigidtop.system.start import SystemStart, row, sizes, with_units
+from rigidtop.system.start import SystemStart, at_its_size, row, sizes, with_units
 from rigidtop.system.trajectory import SystemSection, SystemTrajectory
 
 if TYPE_CHECKING:
     from rigidtop.system.lyapunov import LyapunovExponent
-
-TOO_SMALL = 1e-3
-"""A motion that stays below this part of what its tolerances are fractions of is done again."""
+    from rigidtop.system.sensitivities import Sensitivities
 
 UNTIL = ""
 """The name of what ends a motion, among events."""
@@ -97,12 +96,12 @@ class SystemMotion(SystemStart):
             return self._kept(ordered, motion.path(ordered))
 
         def flows(end: float) -> Flow:
-            made = self._flow(start, end, accuracy, self._sizes)
-            self.keeps_signs(made.path(made.steps))
-            largest = self._sizes(np.abs(made.path(made.steps)).max(axis=1))
-            if np.all(largest > TOO_SMALL * self._sizes(start)):
+            def run(sizes: Sizes) -> Flow:
+                made = self._flow(start, end, accuracy, sizes)
+                self.keeps_signs(made.path(made.steps))
                 return made
-            return self._flow(start, end, accuracy, lambda _: largest)
+
+            return at_its_size(run, self._sizes, start)
 
         with np.errstate(all="ignore"):
             states = on_both_sides(flows, start, times, sample)
@@ -171,6 +170,40 @@ class SystemMotion(SystemStart):
         start = *self.q, *self.qdot
         return lyapunov(self.system, self.parameters, start, t, accuracy, self.keeps_signs)
 
+    def sensitivities(
+        self,
+        t: ArrayLike,
+        by: Given,
+        method: str = "DOP853",
+        rtol: float = 1e-10,
+        atol: float = 1e-12,
+    ) -> Sensitivities:
+        """The motion at N times, and its derivatives by parameters and by where it starts.
+
+        `t` (s) is as for `integrate`; `by` is one quantity or a row of k of them, by symbol or by
+        name: parameters, and coordinates and velocities, which stand for their values at t = 0.
+        The variational equations come from the same program as the accelerations and are
+        integrated with the motion, to the same tolerances, by a `method` of
+        `scipy.integrate.solve_ivp`: the step follows both.  `atol` of a derivative is that of what
+        it is of, over the size of what it is by.
+
+        Raises RigidtopError for what is no letter of the system, where a force jumps on the way,
+        where a constraint ties a start or a parameter to the rest, so that it can't change alone,
+        and where the solver does not arrive.
+
+        >>> from sympy import symbols
+        >>> from rigidtop.system.system import System
+        >>> k = symbols("k", positive=True)
+        >>> x, v = symbols("x v", real=True)
+        >>> spring = System(v**2/2 - k*x**2/2, [x], [v]).motion({k: 4}, q=1.0)    # x = cos √k t
+        >>> run = spring.sensitivities([0, 1], by=[k, x, v])
+        >>> run.q_by.shape, run.of(k)[0][-1].round(6)    # ∂x/∂k = −t sin(√k t)/2√k
+        ((2, 1, 3), array([-0.227324]))
+        """
+        from rigidtop.system.sensitivities import sensitivities
+
+        return sensitivities(self, t, by, Accuracy(method, rtol, atol))
+
     def _section(self, found: Zeros) -> SystemSection:
         states = self._kept(found.times, found.states)
         return SystemSection(self, found.times, *self._columns(states), rising=found.rising)
@@ -215,9 +248,7 @@ class SystemMotion(SystemStart):
     def _sizes(self, state: Floats) -> Floats:
         return sizes(self.system, state)
 
-    def _flow(
-        self, start: Floats, end: float, accuracy: Accuracy, sizes: Callable[[Floats], Floats]
-    ) -> Flow:
+    def _flow(self, start: Floats, end: float, accuracy: Accuracy, sizes: Sizes) -> Flow:
         held, unit = self._held if self.system.constraints else None, sizes(start)
         series = partial(self._taylor, start, unit)
         own = sizes if held is None else lambda _: unit

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from keyword import kwlist
 from typing import Any
 
@@ -18,7 +19,7 @@ from sympy import Expr, Symbol
 from rigidtop.codegen import numpy as plain
 from rigidtop.codegen.heyoka import on_symbols
 from rigidtop.codegen.lines import StraightLine, straight_line
-from rigidtop.codegen.nodes import Value
+from rigidtop.codegen.nodes import ZERO, Value
 from rigidtop.codegen.numpy import Function
 from rigidtop.codegen.sizes import with_sizes
 from rigidtop.errors import RigidtopError
@@ -114,6 +115,29 @@ class Numeric:
         taken = {x for x, _ in system.program.shared}
         free = (x for x in system.free() if x not in taken)
         return straight_line(system.balanced.graph, [system.balanced.power], free)
+
+    def slopes(self, letters: tuple[Symbol, ...]) -> Function:
+        """q̈, its derivatives by (q, q̇) row by row (n×2n), then those by some letters (n×k).
+
+        Of those letters the coordinates and velocities count as starts, which q̈ does not have.
+        """
+        if letters not in self._slopes:
+            names, sides = self.system.names, self.system.balanced
+            moved = sides.solution[: len(names.q)]
+            by_state = sides.gradients(moved, (*names.q, *names.v))
+            own = [[ZERO] * len(letters) for _ in moved]
+            for k, x in enumerate(letters):
+                if x in self.system.parameters:
+                    for line, [slope] in zip(own, sides.gradients(moved, [x]), strict=True):
+                        line[k] = slope
+            values = [*moved, *chain(*by_state), *chain(*own)]
+            self._slopes[letters] = self.on_graph(values, "slopes")
+        return self._slopes[letters]
+
+    @cached_property
+    def _slopes(self) -> dict[tuple[Symbol, ...], Function]:
+        """The `slopes` that were asked for."""
+        return {}
 
     @cached_property
     def energy(self) -> Function:

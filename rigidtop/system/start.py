@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from typing import Any
@@ -13,11 +13,16 @@ from sympy import Expr, Symbol
 from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.attitude import Floats
+from rigidtop.motion.integrate import Flow
+from rigidtop.motion.systems import Sizes
 from rigidtop.system.names import Given
 from rigidtop.system.numeric import Computed, computed
 
 HOLDS = 1e-9
 """How well a constraint has to hold at the start, relative to its terms."""
+
+TOO_SMALL = 1e-3
+"""A motion that stays below this part of what its tolerances are fractions of is done again."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -156,6 +161,15 @@ def sizes(system: Computed, states: Floats) -> Floats:
         largest = np.max(np.abs(states[part]), axis=0, initial=0.0)
         made[part] = np.where((largest > 0) & (largest < 1), largest, 1.0)
     return made
+
+
+def at_its_size(run: Callable[[Sizes], Flow], sizes: Sizes, start: Floats) -> Flow:
+    """A flow with tolerances that are fractions of `sizes`; again, where all stays far below."""
+    made = run(sizes)
+    largest = sizes(np.abs(made.path(made.steps)).max(axis=1))
+    if np.all(largest > TOO_SMALL * sizes(start)):
+        return made
+    return run(lambda _: largest)
 
 
 def with_units(system: Computed, units: Floats, parameters: Floats) -> Floats:
