@@ -183,9 +183,9 @@ class SystemMotion(SystemStart):
         `t` (s) is as for `integrate`; `by` is one quantity or a row of k of them, by symbol or by
         name: parameters, and coordinates and velocities, which stand for their values at t = 0.
         The variational equations come from the same program as the accelerations and are
-        integrated with the motion, to the same tolerances, by a `method` of
-        `scipy.integrate.solve_ivp`: the step follows both.  `atol` of a derivative is that of what
-        it is of, over the size of what it is by.
+        integrated with the motion, by the same `method` and to the same tolerances as `integrate`
+        has them: the step follows both.  `atol` of a derivative is that of what it is of, over the
+        size of what it is by.
 
         Raises RigidtopError for what is no letter of the system, where a force jumps on the way,
         where a constraint ties a start or a parameter to the rest, so that it can't change alone,

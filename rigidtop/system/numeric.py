@@ -245,6 +245,39 @@ class Numeric:
         system = list(zip(state, rows, strict=True))
         return heyoka.taylor_adaptive(system, [0.0] * len(state), pars=[1.0] * (last + 1), tol=rtol)
 
+    def varied_by(self, letters: tuple[Symbol, ...], rtol: float) -> AbstractContextManager[Any]:
+        """The same of q, q̇ and S = ∂(q, q̇)/∂(k letters), and of the time where it occurs.
+
+        Its parameters are the units of q and of q̇, one over each, those of the letters, and the
+        system's own, without those behind the last that occurs.
+        """
+        name = "by " + ", ".join(x.name for x in letters)
+        return self._kept(name, rtol, 0, lambda: self._compiled_slopes(letters, rtol))
+
+    def _compiled_slopes(self, letters: tuple[Symbol, ...], rtol: float) -> Any:
+        heyoka, n, k = taylor.loaded(), len(self.system.q), len(letters)
+        given = [heyoka.par[i] for i in range(4 + k + len(self.system.parameters))]
+        state = heyoka.make_vars(*(f"x{i}" for i in range(2 * n * (1 + k) + self.timed)))
+        time = state[-1] if self.timed else heyoka.expression(0.0)
+        of_q, of_v, per_q, per_v = given[:4]
+        q, v = ([x * of_q for x in state[:n]], [x * of_v for x in state[n : 2 * n]])
+        inside = [time, *q, *v, *given[4 + k :]]
+        made = np.array(on_symbols(heyoka, self.slopes(letters), "slopes", inside))
+        S = np.array(state[2 * n : 2 * n * (1 + k)]).reshape(2 * n, k)
+        A, B = np.split(made[n:], [2 * n * n])
+        A, B = A.reshape(n, 2 * n), B.reshape(n, k)
+        A[:, :n] = A[:, :n] * of_q * per_v
+        moved = A @ S + B * given[4 : 4 + k] * per_v
+        rows = [x * per_q for x in v] + [x * per_v for x in made[:n]]
+        rows += [*(S[n:] * of_v * per_q).flat, *moved.flat]
+        rows += [heyoka.expression(1.0)] * self.timed
+        occurring = {str(x) for row in rows for x in heyoka.get_params(row)}
+        last = max(i for i, x in enumerate(given) if str(x) in occurring)
+        system = list(zip(state, rows, strict=True))
+        start, pars = [0.0] * len(state), [1.0] * (last + 1)
+        # Unrolled, as a motion alone is, so many equations would be compiled for half a minute.
+        return heyoka.taylor_adaptive(system, start, pars=pars, tol=rtol, compact_mode=True)
+
     @cached_property
     def variation(self) -> Function:
         """Rates of q, q̇, of the direction of a neighbour (2n) and of the logarithm of its distance.

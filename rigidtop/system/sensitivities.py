@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 import sympy
@@ -13,9 +13,9 @@ from sympy import Expr, Symbol
 
 from rigidtop.codegen.nodes import ZERO, Call, Leaf
 from rigidtop.errors import RigidtopError
-from rigidtop.motion import checks
+from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import TAYLOR, Accuracy, Flow, Problem, flow, on_both_sides
+from rigidtop.motion.integrate import Accuracy, Flow, Held, Problem, flow, on_both_sides
 from rigidtop.motion.rows import Rows
 from rigidtop.motion.systems import Sizes
 from rigidtop.parameters import in_one_line
@@ -117,8 +117,6 @@ class Sensitivities(Rows):
 def sensitivities(motion: SystemStart, t: ArrayLike, by: Given, how: Accuracy) -> Sensitivities:
     """See `SystemMotion.sensitivities`."""
     times = checks.times(t)
-    if how.method == TAYLOR:
-        raise RigidtopError("sensitivities are integrated by solve_ivp: method='DOP853'")
     letters = letters_of(motion.system, by)
     check_smooth(motion.system, letters)
     if motion.system.constraints:
@@ -200,16 +198,29 @@ class Variation:
 
     def flow(self, end: float, how: Accuracy) -> Flow:
         """From t = 0 to `end`."""
-        constrained = bool(self.motion.system.constraints)
-        held = self._held if constrained else None
-        first = self.sizes(self.start)
+        held: Held | None = None
+        own: Sizes = self.sizes
+        unit = own(self.start)
+        if self.motion.system.constraints:  # of which what is at rest strays by its rounding
+            held, own = self._held, lambda _: unit
 
-        def run(own: Sizes) -> Flow:
-            made = flow(Problem(self.rates, self.start, own, None, held), end, how)
+        def run(sizes: Sizes) -> Flow:
+            series = partial(self._taylor, sizes(self.start))
+            made = flow(Problem(self.rates, self.start, sizes, series, held), end, how)
             self.motion.keeps_signs(made.path(made.steps))
             return made
 
-        return at_its_size(run, (lambda _: first) if constrained else self.sizes, self.start)
+        return at_its_size(run, own, self.start)
+
+    def _taylor(self, unit: Floats, end: float, rtol: float) -> Flow:
+        """By heyoka's Taylor series, of the state in `unit`s."""
+        held = self._held if self.motion.system.constraints else None
+        own = unit[[0, len(self.motion.q)]]
+        values = [*own, *(1 / own), *self.scales, *self.motion.parameters]
+        with self.motion.system.numeric.varied_by(self.letters, rtol) as integrator:
+            integrator.pars[:] = values[: len(integrator.pars)]
+            integrator.state[:] = self.start / unit
+            return taylor.propagated(integrator, end, unit, held=held)
 
     def kept(self, times: Floats, states: Floats) -> Floats:
         """States (…, N) as the constraints have them."""

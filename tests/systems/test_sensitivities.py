@@ -145,11 +145,32 @@ def test_of_a_driven_and_damped_oscillator_as_by_differences(letter):
     assert np.hstack(run.of(letter)) == pytest.approx(other, abs=1e-7)
 
 
-@pytest.mark.parametrize("method", ["Radau", "LSODA"])
+@pytest.mark.parametrize("method", ["Radau", "LSODA", "taylor"])
 def test_of_other_solvers(method):
-    motion = DRIVEN.motion({m: 1, k: 2, c: 0.3, F: 1, Omega: 2}, 0.4)
-    run, other = (motion.sensitivities(5.0, [Omega, k], each) for each in (method, "DOP853"))
+    if method == "taylor":
+        pytest.importorskip("heyoka", reason="heyoka has no wheel here")
+    times = [-1.0, 5.0]
+    motion = DRIVEN.motion({m: 1.1, k: 2, c: 0.3, F: 1, Omega: 2}, 0.4)
+    run, other = (motion.sensitivities(times, [Omega, x, m], each) for each in (method, "DOP853"))
     assert run.q_by == pytest.approx(other.q_by, abs=1e-7)
+    assert run.qdot_by == pytest.approx(other.qdot_by, abs=1e-7)
+
+
+def test_of_taylor_series_with_constraints_and_in_other_units():
+    pytest.importorskip("heyoka", reason="heyoka has no wheel here")
+    bob = BOB.motion({m: 1e-26, g: 9.81e4, rod: 2e-10}, [1.2e-10, -1.6e-10])
+    run, other = (bob.sensitivities(1e-6, [g, m], each) for each in ("taylor", "DOP853"))
+    assert np.max(np.abs(other.of(g)[0])) > 1e-17
+    assert run.of(g)[0] == pytest.approx(other.of(g)[0], rel=1e-6)
+
+
+def test_a_new_start_never_compiles_again(monkeypatch):
+    heyoka = pytest.importorskip("heyoka", reason="heyoka has no wheel here")
+    first = SPRING.motion({k: 2}, 0.3).sensitivities(3.0, [k, u], "taylor")
+    assert first.q_by[0, 0] == pytest.approx([-0.9 * np.sin(6), np.sin(6) / 2], abs=1e-12)
+    monkeypatch.setattr(heyoka, "taylor_adaptive", None)
+    other = SPRING.motion({k: 1}, 0.3).sensitivities(3.0, [k, u], "taylor")
+    assert other.q_by[0, 0] == pytest.approx([-0.9 * np.sin(3), np.sin(3)], abs=1e-12)
 
 
 # --- Laws ----------------------------------------------------------------------------------------
