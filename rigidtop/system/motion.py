@@ -182,6 +182,8 @@ class SystemMotion(SystemStart):
 
         `t` (s) is as for `integrate`; `by` is one quantity or a row of k of them, by symbol or by
         name: parameters, and coordinates and velocities, which stand for their values at t = 0.
+        The derivatives of the n coordinates are `q_by`, (N, n, k): see `Sensitivities`.
+
         The variational equations come from the same program as the accelerations and are
         integrated with the motion, by the same `method` and to the same tolerances as `integrate`
         has them: the step follows both.  `atol` of a derivative is that of what it is of, over the

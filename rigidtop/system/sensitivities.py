@@ -180,7 +180,8 @@ class Variation:
         row = (state[-1] if numeric.timed else 0.0, *state[: 2 * n], *self.motion.parameters)
         made, why = computed(lambda row: self._slopes(*row), row)
         if why:
-            self.motion.rates_at([*state[: 2 * n], *([0.0] * self.motion.more)])
+            time, *places = row[: 2 * n + 1]
+            self.motion.rates_at([*places, *([time] * self.motion.more)])  # says it of these
             raise RigidtopError(
                 f"the variational equations can't be computed: {why}; the accelerations have no "
                 "derivative there"

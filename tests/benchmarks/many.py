@@ -97,11 +97,26 @@ def exponent() -> list[Row]:
     return [Row("the largest Lyapunov exponent over 100 s", "taylor", cpu(go), note=repr(go()))]
 
 
+def derivatives() -> list[Row]:
+    """Of a double pendulum by six quantities, beside its motion alone; both compiled before."""
+    system = pendulums(2)
+    motion = system.motion(PARAMETERS, q=[1.0, 0.5])
+    by = [system.parameters[0], system.parameters[1], *system.q, *system.names.v]
+    alone, together = partial(motion.integrate, (0, 10)), partial(motion.sensitivities, (0, 10), by)
+    alone(), together()
+    first, second = cpu(alone), cpu(together)
+    note = f"{second / first:.1f} times the motion"
+    return [
+        Row("a motion over 10 s", "DOP853", first),
+        Row("and its derivatives by 6 quantities", "DOP853", second, note=note),
+    ]
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description="Measure many motions of systems.")
     parser.add_argument("--quick", action="store_true", help="a hundredth of the motions")
     options = parser.parse_args()
-    rows = many(100 if options.quick else 10_000)
+    rows = [*many(100 if options.quick else 10_000), *derivatives()]
     if find_spec("heyoka"):
         rows += [*one(), *section(), *exponent()]
     print(table(rows))
