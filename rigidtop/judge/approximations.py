@@ -216,6 +216,8 @@ def near_slip(question: Question) -> Slip | None:
 
 def _near_multiple(question: Question) -> Outcome | None:
     """By which simple fraction the right side has to be multiplied to become like the left one."""
+    if Cue.ELSEWHERE in question.at.cues:
+        return None
     with question.patience.search(SLIP_SECONDS) as until:
         for factor in _FRACTIONS:
             if time.process_time() > until:

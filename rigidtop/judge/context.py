@@ -114,6 +114,8 @@ class Habits:
     """Vectors that words say to be unit vectors."""
     driven: frozenset[Letter] = frozenset()
     """Letters whose motion the words say to be given, so that no law moves them."""
+    extended: bool = False
+    """Whether words speak of bodies that turn, whose energy is not that of their centre alone."""
     massless: bool = False
     """Whether by its words nothing in the text has a mass, so that it is 1."""
     weightless: bool = False

@@ -9,10 +9,15 @@ from numpy.typing import NDArray
 from sympy import Expr
 
 from rigidtop.judge import worlds as w
+from rigidtop.judge.approximations import nearly_equal
+from rigidtop.judge.context import PLACE, SETTING
+from rigidtop.judge.faults import FEWEST
+from rigidtop.judge.jets import jets
 from rigidtop.judge.outcome import FALSE, Outcome
 from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.question import Question
 from rigidtop.judge.values import UnclearError
+from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter
 from rigidtop.tree.plain import plain as in_words
@@ -37,6 +42,31 @@ def refuted(question: Question) -> Outcome:
             both = f"the left side is {here:.4g}, the right side {there:.4g}"
             return Outcome(FALSE, (where + both).replace("-", "−"), question.rests_on)
     return Outcome(FALSE, "it does not hold", question.rests_on)
+
+
+def acceleration(question: Question) -> Outcome | None:
+    """A counterexample to an acceleration that equations of motion give, as they stand above.
+
+    None where the words suppose something, where a letter is new, or where it is nearly true.
+    """
+    at, worlds = question.at, question.worlds
+    context = question.context
+    cases = any(c.kind in (SETTING, PLACE) and not c.instant for c in context.constraints)
+    if cases or context.open or Cue.ELSEWHERE in at.cues:
+        return None  # another case may have begun
+    supposed = at.supposed or at.opens or at.case or at.small or at.large or at.instant
+    if supposed or at.inline or question.new_letters or worlds.count < FEWEST or worlds.tied:
+        return None
+    own = [x for gap in question.gaps for x, jet in jets(gap).items() if jet.order == 2]
+    left = {x for one, _ in question.both for x in jets(one)}
+    if not own or not left & {*own} or w.rank(question.equations, worlds, own) < len({*own}):
+        return None
+    if worlds.vanish(own):
+        return None  # in a case in which nothing moves
+    signs = worlds.signs(question.gaps)
+    if signs is None or not signs.all() or nearly_equal(question) is not None:
+        return None
+    return refuted(question)
 
 
 def _numbered(question: Question) -> dict[str, Expr]:

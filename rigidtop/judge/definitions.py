@@ -137,13 +137,12 @@ def _is_case(question: Question, letter: Letter, node: Node) -> bool:
 
 
 def _only_names(question: Question, letter: Letter) -> bool:
-    """Whether a letter stands for others of which nothing is said, as L does in L = T − V."""
+    """Whether a letter stands for others of which not all is said, as L does in L = T − V."""
     context = question.context
     names = n.letters(context.definitions[letter].node)
     known = {*context.definitions, *question.moving}
     return (
-        bool(names)
-        and not names & known
+        bool(names - known)
         and all(x in ENERGIES for x in names)
         and not any(names & n.letters(c.left) | n.letters(c.right) for c in context.constraints)
     )

@@ -13,6 +13,7 @@ from rigidtop.judge import (
     definitions,
     faults,
     fields,
+    missing,
     novelties,
     oscillations,
     paths,
@@ -21,13 +22,12 @@ from rigidtop.judge import (
     spectrum,
     worth,
 )
-from rigidtop.judge import worlds as w
 from rigidtop.judge.brackets import convention
 from rigidtop.judge.context import LAW, PLACE, SETTING, Constraint, Definition
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.counterexample import refuted
+from rigidtop.judge.counterexample import acceleration, refuted
 from rigidtop.judge.faults import NUMBERS
-from rigidtop.judge.jets import jets, rate
+from rigidtop.judge.jets import rate
 from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.numbers import A_MINUTE, are_numbers, compared
 from rigidtop.judge.outcome import ASSUMING, DEFINITION, FALSE, PREMISE, SAMPLED, UNDECIDED, Outcome
@@ -338,32 +338,13 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
     if fixed is not None:
         return fixed
     outcome = (
-        faults.missing_term(question)
-        or faults.missing_factor(question)
+        missing.term(question)
+        or missing.factor(question)
         or faults.contradiction(question)
         or _worked_out(question)
     )
-    outcome = outcome or _wrong_form(question) or _other_acceleration(question)
+    outcome = outcome or _wrong_form(question) or acceleration(question)
     return outcome or Outcome(UNDECIDED, DOES_NOT_FOLLOW), context
-
-
-def _other_acceleration(question: Question) -> Outcome | None:
-    """A counterexample to an acceleration that equations of motion give, as they stand above.
-
-    None where the words suppose something, where a letter is new, or where it is nearly true.
-    """
-    at, worlds = question.at, question.worlds
-    supposed = at.supposed or at.opens or at.case or at.small or at.large or at.instant
-    if supposed or at.inline or question.new_letters or worlds.count < faults.FEWEST or worlds.tied:
-        return None
-    own = [x for gap in question.gaps for x, jet in jets(gap).items() if jet.order == 2]
-    left = {x for one, _ in question.both for x in jets(one)}
-    if not own or not left & {*own} or w.rank(question.equations, worlds, own) < len({*own}):
-        return None
-    signs = worlds.signs(question.gaps)
-    if signs is None or not signs.all() or approximations.nearly_equal(question) is not None:
-        return None
-    return refuted(question)
 
 
 def _wrong_form(question: Question) -> Outcome | None:
@@ -416,7 +397,8 @@ def _one_root(question: Question) -> Judgement | None:
     ):
         return None
     other = n.mapped(question.right, other_root)
-    if other == question.right and _is_square_above(question):
+    elsewhere = Cue.ELSEWHERE in question.at.cues
+    if other == question.right and _is_square_above(question) and not elsewhere:
         other = n.Negative(question.right)
     if other == question.right or len(question.both) != 1:
         return None

@@ -10,26 +10,14 @@ from math import inf
 
 import numpy as np
 from sympy import (
-    Add,
     Expr,
-    Mul,
-    Symbol,
-    cancel,
-    factor_terms,
-    fraction,
-    linsolve,
-    simplify,
-    together,
 )
-from sympy.simplify.fu import TR5
-from sympy.solvers.solveset import NonlinearError
 
 from rigidtop.judge import paths
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.context import START, Constraint, Context, Definition, is_open
-from rigidtop.judge.jets import TIME, Jet, jet_of, jets, operations, symbol, symbols
-from rigidtop.judge.laws import highest
+from rigidtop.judge.context import Constraint, Context, Definition, is_open
+from rigidtop.judge.jets import TIME, jet_of, symbols
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import FALSE, Outcome
 from rigidtop.judge.program import UnknownFunctionError
@@ -39,7 +27,7 @@ from rigidtop.judge.slips import Change, changes, times
 from rigidtop.judge.values import UnclearError, plain
 from rigidtop.judge.vocabulary import Curvature, Meant
 from rigidtop.judge.worlds import Worlds
-from rigidtop.judge.written import written
+from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Letter, Node
@@ -101,7 +89,7 @@ def slip(
         return None
     if question.worlds.points.imag.any() and _has_size(question):
         return None  # how large a complex number is is not seen
-    if counts(question):
+    if counts(question) or (Cue.ELSEWHERE in question.at.cues and not question.at.closed):
         return None
     with patience.search(SLIP_SECONDS) as until:
         change = next(_right_changes(question, compared, letter, most, until), None)
@@ -136,7 +124,7 @@ def _right_changes(
     until: float,
 ) -> Iterator[Change]:
     context = question.context
-    known = frozenset(context.letters & _near(question))
+    known = frozenset(context.letters & near(question))
     indices = context.habits.indices
     worlds = _widened(question, known)
     meanings = question.meanings()
@@ -151,7 +139,7 @@ def _right_changes(
             yield change
 
 
-def _near(question: Question) -> set[Letter]:
+def near(question: Question) -> set[Letter]:
     """The letters that have to do with a statement: they, and no others, may be missing in it.
 
     A quantity that is given as a number with a unit belongs to an example.
@@ -284,158 +272,6 @@ def _righted(question: Question, change: Change) -> Context:
         return context.defining(change.left, replace(definition, also=also))  # type: ignore[arg-type]
     definition = Definition(change.right, question.at.number, question.at.scope)
     return path.before.defining(path.letter, definition)
-
-
-# --- A missing term ------------------------------------------------------------------------------
-
-
-def missing_term(question: Question) -> Outcome | None:
-    """One term that is missing, of letters that the statement has, or that are near.
-
-    Where it is not said to follow, as few as two terms may be of another problem.
-    """
-    if len(question.both) != 1 or not question.worlds.count:
-        return None
-    if question.path is not None:
-        return _missing_in_time(question)
-    left, right = question.both[0]
-    count = sum(len(Add.make_args(x.expand())) for x in (left, right) if x != 0)
-    tops = highest(question.equations)
-    gap = _solved_for(tops, question.equations, left - right)
-    if gap is None or not _is_monomial(gap):
-        # sin² θ + cos² θ is 1.
-        short = operations(left - right) <= LONGEST
-        gap = TR5((left - right).expand()).expand() if short else None
-    if gap is None or not _is_monomial(gap):
-        gap = _left_out(question.equations, left - right)
-    derived = question.at.derived or _differentiates(question)
-    moves = any(left.has(x) or right.has(x) for x in tops) or _differentiates(question)
-    moves |= derived and any(x.has(TIME) for x in question.equations)
-    if (
-        not moves
-        or count < (2 if derived else 3)
-        or gap is None
-        or not _is_monomial(gap)
-        or not question.rests_on
-    ):
-        return None
-    own = own_letters(question.left) | own_letters(question.right)
-    if not letters_of(gap) <= (own | _near(question) if derived else own):
-        return None
-    term = written(-gap if question.right == ZERO else gap)
-    if question.right == ZERO:
-        side = f"{latex(n.Sum((question.left, term)))} = 0"
-    else:
-        side = f"{latex(question.left)} = {latex(n.Sum((question.right, term)))}"
-    words = f"the term {in_words(term)}"
-    return Outcome(FALSE, f"{words} is missing", question.rests_on, words, side)
-
-
-def _missing_in_time(question: Question) -> Outcome | None:
-    """One term that is missing in a motion, where only its highest rate stands in what holds."""
-    path = question.path
-    assert path is not None
-    letter = path.letter
-    context = question.context
-    begins = any(c.instant == START and letter in c.letters for c in context.constraints)
-    if not begins or letter in context.definitions:
-        return None  # it may be how something else moves
-    for law in paths.laws(question):
-        orders = [jet.order for jet in jets(law.expression).values() if jet.letter == letter]
-        order = max(orders, default=0)
-        top = symbol(Jet(letter, order))
-        slope = law.expression.diff(top)
-        if not order or question.moves(slope) or {*orders} != {order} or slope == 0:
-            continue
-        rate_of_it = path.value.diff(TIME, order)
-        term = simplify((law.expression.subs(top, rate_of_it)) / slope)
-        for _ in range(order):
-            term = -term.integrate((TIME, 0, TIME)) if term.has(TIME) else -term * TIME
-        if not _is_monomial(term) or question.moves(term):
-            continue
-        if paths.solves(question, path.value + (-1) ** (order + 1) * term):
-            words = f"the term {in_words(written(term))}"
-            side = f"{latex(question.left)} = {latex(n.Sum((question.right, written(term))))}"
-            return Outcome(FALSE, f"{words} is missing", law.rests_on, words, side)
-    return None
-
-
-def _left_out(equations: Sequence[Expr], gap: Expr) -> Expr | None:
-    """The one term by which a difference is more than an equation, as it stands or turned round."""
-    short = [x for x in equations if operations(x) <= LONGEST]
-    still = (x for x in map(_without_time, short) if x is not None)
-    rests = ((gap - s * each).expand() for each in (*short, *still) for s in (1, -1))
-    return next((x for x in rests if x != 0 and not x.is_Add and _is_monomial(x)), None)
-
-
-LONGEST = 120
-"""From an equation with more operations no term is left out."""
-
-
-def _without_time(equation: Expr) -> Expr | None:
-    """An equation for amplitudes: without the factor cos ωt; None if the time stands elsewhere."""
-    if not equation.has(TIME):
-        return None
-    factors = Mul.make_args(factor_terms(equation.expand()))
-    rest = Mul(*(x for x in factors if not x.has(TIME)))
-    return rest if rest.is_Add else next((x for x in factors if x.is_Add and not x.has(TIME)), None)
-
-
-def missing_factor(question: Question) -> Outcome | None:
-    """One factor that is missing in an equation of motion."""
-    if len(question.both) != 1 or not question.worlds.count or question.path is not None:
-        return None
-    left, right = question.both[0]
-    tops = highest(question.equations)
-    if not any(left.has(x) for x in tops) or right == 0:
-        return None
-    solved = _solved_for(tops, question.equations, left)
-    if solved is None:
-        return None
-    factor = factor_terms(cancel(together(solved / right)))
-    base, exponent = factor.as_base_exp()
-    if base.is_Mul or base.is_Add or exponent not in (-2, -1, 1, 2):
-        return None
-    if factor.is_number or not letters_of(factor) <= _near(question):
-        return None
-    term = written(factor)
-    words = f"the factor {in_words(term)}"
-    line = f"{latex(question.left)} = {latex(n.Product((term, n.Group(question.right))))}"
-    return Outcome(FALSE, f"{words} is missing", question.rests_on, words, line)
-
-
-def _differentiates(question: Question) -> bool:
-    sides = (question.left, question.right)
-    return any(isinstance(x, n.Derivative) for side in sides for x in n.walked(side))
-
-
-def _is_monomial(expression: Expr) -> bool:
-    """Whether it is one term, with a small number in front."""
-    over, under = fraction(expression)
-    number, _ = over.expand().as_coeff_Mul()
-    return (
-        expression != 0
-        and not over.expand().is_Add
-        and not under.expand().is_Add
-        and number.is_Rational
-        and max(abs(number.p), number.q) <= 8
-    )
-
-
-def _solved_for(tops: Sequence[Symbol], equations: Sequence[Expr], gap: Expr) -> Expr | None:
-    """What is left of a difference where the highest rates are put in; None if it is not short."""
-    used = [x for x in tops if gap.has(x)]
-    if len(tops) > 4 or len(equations) > 6 or gap.count_ops() > 200:
-        return None
-    try:
-        solutions = list(linsolve(list(equations), list(tops))) if used else [()]
-    except NonlinearError:
-        return None
-    if len(solutions) != 1 or (used and any(x.has(*tops) for x in solutions[0])):
-        return None
-    rest = gap.xreplace(dict(zip(tops, solutions[0], strict=False))) if used else gap
-    term: Expr = factor_terms(cancel(together(rest)))
-    return term
 
 
 # --- Two statements that contradict each other ---------------------------------------------------

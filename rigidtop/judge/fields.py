@@ -13,11 +13,12 @@ from sympy import MatrixBase
 
 from rigidtop.judge.context import FIELD, Context, Definition
 from rigidtop.judge.faults import NUMBERS, SLIP_SECONDS
-from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS, Residual
+from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS
 from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
+from rigidtop.judge.residual import Residual
 from rigidtop.judge.sides import ZERO, speaks_of
 from rigidtop.judge.slips import changes
 from rigidtop.judge.values import UnclearError, pairs

@@ -12,10 +12,10 @@ from sympy import Expr, ImmutableMatrix, MatrixBase, eye
 from rigidtop.judge.alphabet import Alphabet, letters_of
 from rigidtop.judge.context import PREMISE, Constraint, Context, Definition, Habits
 from rigidtop.judge.jets import TIME, Jet, jets, symbol
-from rigidtop.judge.laws import Residual
 from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.particles import particles
+from rigidtop.judge.residual import Residual
 from rigidtop.judge.values import UnclearError, Value, pairs
 from rigidtop.judge.vocabulary import Meant, Memory
 from rigidtop.proof.moves import Condition, Scope

@@ -12,13 +12,14 @@ from rigidtop.judge.context import FORCED, LAW, RULE, SETTING, Constraint, Defin
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.faults import FUNCTIONS, LIKELY, contradiction, is_worked_out, slip
 from rigidtop.judge.jets import TIME, jet_of, jets, rate, symbol
-from rigidtop.judge.laws import LAGRANGIANS, coordinates, highest, is_any, lagrange
+from rigidtop.judge.laws import LAGRANGIANS, coordinates, is_any, lagrange
 from rigidtop.judge.letters import CLOCK, FORCES, FREQUENCIES, SPEEDS
 from rigidtop.judge.names import is_component, is_vector
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes
 from rigidtop.judge.sides import ZERO, letters_of, own_letters
+from rigidtop.judge.surroundings import highest
 from rigidtop.judge.vocabulary import Meant
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from sympy import Add, Expr, Symbol
 
 from rigidtop.judge.jets import TIME, jet_of, operations
-from rigidtop.judge.laws import highest
 from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.program import Array, Program, Steps, UnknownFunctionError
+from rigidtop.judge.surroundings import highest
 from rigidtop.judge.worlds import Worlds, least
 from rigidtop.tree.nodes import Letter
 from rigidtop.tree.plain import plain
@@ -63,6 +63,10 @@ def nearly(
     return None
 
 
+_ROUNDING = 1e-13
+"""What is left out may be no more than the rounding of the largest term."""
+
+
 def is_too_long(
     left: Expr, right: Expr, equations: Sequence[Expr], worlds: Worlds, scaling: Scaling
 ) -> bool:
@@ -76,8 +80,9 @@ def is_too_long(
         if settled is None:
             return False
         values = np.abs(Program(worlds.letters, settled).values([left - right, *terms]).values)
+        left_out = np.where(values[0] <= _ROUNDING * values[1:].max(axis=0), 0, values[0])
         with np.errstate(all="ignore"):
-            shares.append(values[0] / values[1:].min(axis=0))
+            shares.append(left_out / values[1:].min(axis=0))
     before, last = shares
     if not np.isfinite(shares).all():
         return False

@@ -30,7 +30,6 @@ from rigidtop.judge.ground import (
     names_and_slopes,
 )
 from rigidtop.judge.jets import Jet, jet_of, jets, symbol, symbols
-from rigidtop.judge.laws import Residual, related, surrounding
 from rigidtop.judge.outcome import (
     DEFINITION,
     FALSE,
@@ -42,7 +41,9 @@ from rigidtop.judge.outcome import (
 )
 from rigidtop.judge.particles import particles
 from rigidtop.judge.program import UnknownFunctionError
+from rigidtop.judge.residual import Residual
 from rigidtop.judge.spans import NoValueError, Span, is_contradictory, span
+from rigidtop.judge.surroundings import related, surrounding
 from rigidtop.judge.values import UnclearError, pairs, plain
 from rigidtop.judge.written import written
 from rigidtop.proof.derivation import Judged, Line

@@ -11,9 +11,10 @@ from sympy import Add, Expr, Integral, MatrixBase, Piecewise, Rational, Symbol
 from rigidtop.judge import worlds
 from rigidtop.judge.context import PREMISE, SETTING, START, Constraint, Context, Definition
 from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
-from rigidtop.judge.laws import Residual, residuals
+from rigidtop.judge.laws import residuals
 from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.question import Pair, Path, Premises, Question
+from rigidtop.judge.residual import Residual
 from rigidtop.judge.sides import ZERO, letters_of, named, speaks_of
 from rigidtop.judge.values import plain
 from rigidtop.judge.vocabulary import Meant

@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-import numpy as np
-from sympy import Expr, Integer, MatrixBase, Symbol
+from sympy import Expr, Integer, MatrixBase
 
+from rigidtop.judge import energies, extremes
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import SETTING, START, Constraint, Context, Definition
 from rigidtop.judge.faults import slip
-from rigidtop.judge.jets import TIME, jet_of, jets
+from rigidtop.judge.jets import TIME, jet_of
 from rigidtop.judge.laws import LAGRANGIANS, coordinates, time_at
 from rigidtop.judge.letters import (
     ANGLES,
@@ -33,7 +33,8 @@ from rigidtop.judge.letters import (
     is_mass,
 )
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
-from rigidtop.judge.program import Program, UnknownFunctionError
+from rigidtop.judge.program import UnknownFunctionError
+from rigidtop.judge.quantity import Quantity
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.sides import ZERO, named, own_letters
 from rigidtop.judge.values import UnclearError
@@ -53,16 +54,6 @@ _LATE = "at last"
 _EXTREMES = ("max", "min", "top", "1", "2")
 
 
-@dataclass(frozen=True, eq=False)
-class Quantity:
-    """A formula that a letter may name, in `words`, where `context` is known, at an `instant`."""
-
-    words: str
-    node: Node
-    context: Context | None = None
-    instant: str = ""
-
-
 def with_meaning(question: Question, judgement: Judgement) -> Judgement:
     """What becomes of a new letter that names something known: it follows."""
     outcome, context = judgement
@@ -76,7 +67,8 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
     if question.at.inline and not question.at.derived and not question.at.instant:
         return judgement  # what words name in passing
     assert isinstance(letter, Letter)
-    for each in _quantities(question, letter):
+    elsewhere = Cue.ELSEWHERE in question.at.cues
+    for each in () if elsewhere else _quantities(question, letter):
         with suppress(UnclearError, UnknownFunctionError):
             asked = _asked(question, letter, each)
             if asked.worlds.count and asked.left != asked.right and asked.holds():
@@ -126,13 +118,13 @@ def _quantities(question: Question, letter: Letter) -> Iterator[Quantity]:
     if letter.base in _TURNS:
         yield from _rates(question)
     if letter == _KINETIC:
-        yield from _kinetic(question)
-    if letter in LAGRANGIANS:
-        yield from _lagrangian(question)
+        yield from energies.kinetic(question)
+    if letter in LAGRANGIANS and not question.context.habits.extended:
+        yield from energies.lagrangian(question)
     if letter in (_POTENTIAL, Letter("U")):
-        yield from _weight(question)
+        yield from energies.weight(question)
     if letter.base in "UVW":
-        yield from _effective(question)
+        yield from energies.effective(question)
     yield from _at_a_time(question.context, letter)
     yield from _when(question, letter)
     if letter.base in PLACES and not letter.sub:
@@ -145,7 +137,7 @@ def _quantities(question: Question, letter: Letter) -> Iterator[Quantity]:
     yield from _in_a_case(question.context, letter)
     yield from _of_another(question, letter)
     if letter.sub in _EXTREMES:
-        yield from _extremes(question, letter)
+        yield from extremes.quantities(question, letter)
 
 
 def _in_a_case(context: Context, letter: Letter) -> Iterator[Quantity]:
@@ -312,7 +304,7 @@ def _speeds(question: Question, letter: Letter) -> Iterator[Quantity]:
 
 def _speed(question: Question) -> Node | None:
     """The speed of the one body of which the kinetic energy is known."""
-    kinetic = _kinetic_part(question)
+    kinetic = energies.kinetic_part(question)
     if kinetic is None:
         return None
     masses = [
@@ -321,28 +313,6 @@ def _speed(question: Question) -> Node | None:
     if len(masses) != 1 or kinetic.diff(masses[0]).has(masses[0]):
         return None
     return n.Root(Meant(2 * kinetic / masses[0]))
-
-
-def _kinetic_part(question: Question) -> Expr | None:
-    """What is quadratic in rates in an energy or a Lagrangian, if nothing is linear in them."""
-    for letter in (_KINETIC, *_TOTALS):
-        if letter not in question.context.definitions:
-            continue
-        with suppress(UnclearError):
-            energy = _with_momenta(question, letter)
-            speeds = {x: 0 for x, jet in jets(energy).items() if jet.order == 1}
-            kinetic = energy - energy.subs(speeds)
-            if speeds and not any(kinetic.diff(x).subs(speeds) != 0 for x in speeds):
-                return kinetic
-    return None
-
-
-def _with_momenta(question: Question, letter: Letter) -> Expr:
-    """An energy in the momenta in which it is written, as numbers of their own."""
-    meaning, definition = question.meaning(), question.context.definitions[letter]
-    node = (definition.node, *definition.also)[-1]
-    momenta = frozenset(x for x in n.letters(node) if meaning.is_momentum(x))
-    return meaning.with_(held=momenta).scalar(node)
 
 
 _TURNS = TURNING | {"n"}
@@ -364,91 +334,6 @@ def _turns(question: Question) -> Iterator[Quantity]:
             yield Quantity("the time of a turn", n.Quotient(turn, x))
     for each in _rates(question):
         yield Quantity("the time of a turn", n.Quotient(turn, n.Absolute(each.node)))
-
-
-# --- Energies ------------------------------------------------------------------------------------
-
-
-def _kinetic(question: Question) -> Iterator[Quantity]:
-    """½ m (ẋ² + ẏ²) of the bodies of which it is said where they are."""
-    terms: list[Node] = []
-    for mass in _masses(question):
-        places = _places_of(mass, question.context)
-        if not places:
-            return
-        squares = tuple(n.Power(n.Rate(x, 1, True), _SQUARE) for x in places)
-        half = n.Quotient(n.Number("1"), _SQUARE)
-        terms.append(n.Product((half, mass, n.Group(n.Sum(squares)))))
-    if terms:
-        yield Quantity("the kinetic energy", n.Sum(tuple(terms)))
-
-
-def _lagrangian(question: Question) -> Iterator[Quantity]:
-    """The kinetic energy less that of the weight, of bodies of which it is said where they are."""
-    for kinetic in _kinetic(question):
-        for weight in _weight(question):
-            node = n.Sum((kinetic.node, n.Negative(n.Group(weight.node))))
-            yield Quantity("T − V with the places above", node)
-
-
-def _masses(question: Question) -> list[Letter]:
-    """The masses in the right side."""
-    return sorted(filter(is_mass, own_letters(question.right)), key=str)
-
-
-def _places_of(mass: Letter, context: Context) -> list[Letter]:
-    """The places x, y, z of a body, which have the index of its mass."""
-    names = (Letter(x, mass.sub) for x in "xyz")
-    moving = context.habits.moving
-    return [x for x in names if x in context.definitions or (x in moving and x in context.letters)]
-
-
-def _weight(question: Question) -> Iterator[Quantity]:
-    """m g y, or m g z, of the bodies of which it is said where they are."""
-    masses = _masses(question)
-    for name in "yz":
-        heights = [Letter(name, mass.sub) for mass in masses]
-        if masses and all(x in question.context.definitions for x in heights):
-            pairs = zip(masses, heights, strict=True)
-            terms = tuple(n.Product((mass, Letter("g"), x)) for mass, x in pairs)
-            yield Quantity("the potential energy of the weight", n.Sum(terms))
-
-
-def _effective(question: Question) -> Iterator[Quantity]:
-    """What is left of an energy without the square of a rate."""
-    kinetic = _kinetic_part(question)
-    energy = next((x for x in _TOTALS[:2] if x in question.context.definitions), None)
-    if kinetic is not None and energy is not None:
-        yield Quantity("the effective potential", n.Sum((energy, n.Negative(Meant(kinetic)))))
-    if kinetic is not None and Letter("L") in question.context.definitions:
-        rest = n.Sum((Meant(kinetic), n.Negative(Letter("L"))))
-        yield Quantity("the effective potential", rest)
-
-
-def _wrong(question: Question, letter: Letter) -> Judgement | None:
-    """The slip in a kinetic energy, where it is said where the body is, or in a matrix's entry."""
-    if question.left != letter:
-        return None
-    entry = _entry(question, letter)
-    known = [] if entry is None else [Quantity(_ENTRY, n.Group(written(entry)))]
-    if letter == _KINETIC and not _written_places(question):
-        known += _kinetic(question)
-    for each in known:
-        asked = _asked(question, letter, each)
-        with suppress(UnclearError, UnknownFunctionError):
-            wrong = slip(asked)
-            if wrong is not None and wrong.change.left == asked.left:
-                line = f"{latex(letter)} = {latex(wrong.change.right)}"
-                righted = Definition(each.node, question.at.number, question.at.scope)
-                return replace(wrong.outcome, right=line), question.context.defining(
-                    letter, righted
-                )
-    return None
-
-
-def _written_places(question: Question) -> list[Letter]:
-    """The places in which the right side itself is written."""
-    return [x for x in own_letters(question.right) if x.base in "xyz"]
 
 
 # --- Times, and values at them -------------------------------------------------------------------
@@ -505,75 +390,6 @@ def _when(question: Question, letter: Letter) -> Iterator[Quantity]:
                 yield Quantity(words, n.At(bare, CLOCK, time))
 
 
-# --- Greatest and least values -------------------------------------------------------------------
-
-_MOST_TIMES, _LONGEST = 6001, 30.0
-_NEAR = 1e-4
-"""A greatest value is known to this share of it."""
-
-
-def _extremes(question: Question, letter: Letter) -> Iterator[Quantity]:
-    """The greatest or the least value of what has the same base, or one where a slope vanishes."""
-    base, context = replace(letter, sub=""), question.context
-    if base not in context.definitions:
-        return
-    words = f"an extreme value of {in_words(base)}"
-    with suppress(UnclearError):
-        value = question.meaning().value(base)
-        right = question.meaning().scalar(question.right)
-        if isinstance(value, MatrixBase):
-            return
-        for x in _runs(value, question):
-            which = letter.sub if letter.sub in ("max", "min") else ""
-            if not right.has(x) and _is_extreme(value, right, x, which):
-                yield Quantity(words, Meant(right))
-                return
-        for x in sorted(own_letters(context.definitions[base].node), key=str):
-            if x not in own_letters(question.right) and _is_flat(question, base, x, letter.sub):
-                yield Quantity(words, Meant(right))
-                return
-
-
-def _is_flat(question: Question, base: Letter, x: Letter, which: str) -> bool:
-    """Whether the right side is what a letter is where its slope vanishes, as it bends there."""
-    at, context = question.at, question.context
-    slope = n.Derivative(base, (x,))
-    there = context.holding(Constraint(slope, ZERO, at.number, SETTING, at.scope))
-    asked = replace(question.within(there), left=base, asked=None)
-    if not asked.worlds.count or not asked.holds():
-        return False
-    signs = asked.worlds.signs([asked.meaning().scalar(n.Derivative(base, (x, x)))])
-    wanted = _BENDS.get(which, (-1, 1))
-    return signs is not None and any(bool((signs == sign).all()) for sign in wanted)
-
-
-_BENDS = {"max": (-1,), "top": (-1,), "min": (1,)}
-"""How something bends at its greatest value, and at its least one."""
-
-
-def _runs(value: Expr, question: Question) -> list[Symbol]:
-    """What a value changes with: the time, or an angle."""
-    angles = (x for x, jet in jets(value).items() if jet.letter.base in ANGLES and not jet.order)
-    return [TIME] if value.has(TIME) else sorted(angles, key=str)
-
-
-def _is_extreme(value: Expr, right: Expr, x: Symbol, which: str) -> bool:
-    """Whether a number is the greatest or the least value, or the one of them that is asked."""
-    others = symbols_of([value - x, right])
-    span = np.linspace(0, _LONGEST if x == TIME else 2 * np.pi, _MOST_TIMES)
-    for seed in range(_TRIALS):
-        rng = np.random.default_rng(seed)
-        points = np.tile(rng.uniform(0.2, 0.9, (len(others), 1)), (1, len(span)))
-        rows = [span if each == x else row for each, row in zip(others, points, strict=True)]
-        at = Program(others, np.array(rows, complex)).values([value, right]).values.real
-        extremes = [at[0].max()] * (which != "min") + [at[0].min()] * (which != "max")
-        if not np.isfinite(at).all() or not np.isclose(at[1, 0], extremes, _NEAR, 0).any():
-            return False
-    return True
-
-
-_TRIALS = 3
-
 # --- Matrices of what has names ------------------------------------------------------------------
 
 
@@ -589,3 +405,29 @@ def _entries(context: Context, letter: Letter) -> Iterator[Quantity]:
         if all(row[k] is not None for k, row in enumerate(rows)):
             entries = tuple(tuple(x or ZERO for x in row) for row in rows)
             yield Quantity("the matrix of its entries", n.Matrix(entries))
+
+
+def _wrong(question: Question, letter: Letter) -> Judgement | None:
+    """The slip in a kinetic energy, where it is said where the body is, or in a matrix's entry."""
+    if question.left != letter:
+        return None
+    entry = _entry(question, letter)
+    known = [] if entry is None else [Quantity(_ENTRY, n.Group(written(entry)))]
+    if letter == _KINETIC and not _written_places(question):
+        known += energies.kinetic(question)
+    for each in known:
+        asked = _asked(question, letter, each)
+        with suppress(UnclearError, UnknownFunctionError):
+            wrong = slip(asked)
+            if wrong is not None and wrong.change.left == asked.left:
+                line = f"{latex(letter)} = {latex(wrong.change.right)}"
+                righted = Definition(each.node, question.at.number, question.at.scope)
+                return replace(wrong.outcome, right=line), question.context.defining(
+                    letter, righted
+                )
+    return None
+
+
+def _written_places(question: Question) -> list[Letter]:
+    """The places in which the right side itself is written."""
+    return [x for x in own_letters(question.right) if x.base in "xyz"]

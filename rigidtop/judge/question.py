@@ -13,12 +13,14 @@ from sympy import Expr
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, Definition
 from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
-from rigidtop.judge.laws import Residual, moved, residuals, surrounding, time_at
+from rigidtop.judge.laws import moved, residuals, time_at
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import SAMPLED, Outcome
 from rigidtop.judge.particles import particles
+from rigidtop.judge.residual import Residual
 from rigidtop.judge.sides import entries, letters_of, own_letters
 from rigidtop.judge.situation import Situation
+from rigidtop.judge.surroundings import surrounding
 from rigidtop.judge.values import LARGEST, UnclearError, Value, pairs, plain
 from rigidtop.judge.vocabulary import Memory
 from rigidtop.judge.worlds import Worlds

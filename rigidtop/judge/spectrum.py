@@ -70,7 +70,7 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
     name = _named(question)
     if outcome.verdict not in (DEFINITION, PREMISE) or name is None:
         return judgement
-    if Cue.ELSEWHERE in question.at.cues:
+    if question.at.cues & {Cue.ELSEWHERE, Cue.OTHER}:
         return judgement
     with suppress(UnclearError, UnknownFunctionError):
         for each in _equations(question, name):

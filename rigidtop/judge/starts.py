@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rigidtop.judge.context import (
-    FORCED,
     PREMISE,
     SETTING,
     START,
@@ -13,7 +12,7 @@ from rigidtop.judge.context import (
     Context,
     Definition,
 )
-from rigidtop.judge.letters import ANGLES, CLOCK, COORDINATES, PLACES, SPEED, SPEEDS
+from rigidtop.judge.letters import CLOCK, COORDINATES, PLACES, SPEED, SPEEDS
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
 from rigidtop.tree.nodes import (
@@ -133,24 +132,6 @@ def with_force(statement: Statement, context: Context, number: int) -> Context |
         return None
     force = Negative(Derivative(potential, (place,)))
     return context.holding(Constraint(side, force, number, PREMISE))
-
-
-def with_newton(statement: Statement, context: Context, number: int) -> Context | None:
-    """What is known with Newton's law for the one mass in a force that depends on the place.
-
-    None where a law, an energy or an acceleration with a mass says how it moves.
-    """
-    force = next((x for x in map(Letter, "FK") if x in context.definitions), None)
-    energies = {Letter(x) for x in "TLEHUV"} & context.definitions.keys()
-    if force is None or energies or any(c.kind == FORCED for c in context.constraints):
-        return None
-    names = letters(context.definitions[force].node)
-    places = [x for x in names if x in context.habits.moving and x.base in COORDINATES - ANGLES]
-    masses = [x for x in names if x.base == "m" and not x.bold]
-    if len(places) != 1 or len(masses) != 1 or force in letters_in(statement):
-        return None
-    law = Product((masses[0], Rate(places[0], 2, True)))
-    return context.holding(Constraint(law, force, number, PREMISE))
 
 
 def _with_speed(statement: Statement, context: Context, number: int) -> Context:

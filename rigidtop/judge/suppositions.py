@@ -20,7 +20,6 @@ from rigidtop.judge.starts import (
     with_coordinates,
     with_energy,
     with_force,
-    with_newton,
 )
 from rigidtop.judge.vocabulary import Meant, Memory
 from rigidtop.read.phrases import Cue
@@ -69,14 +68,12 @@ def _possible(
     alike = places.alike(at, context)
     yield Supposition(statement, at, alike or context, lasts=True, tells=True)
     equal = _both_equal(at, context)
-    yield Supposition(statement, at, equal or context, lasts=True, tells=True)
+    yield Supposition(statement, at, equal or context, lasts=True)
     numbered = _with_indices(statement, at, context)
     yield Supposition(statement, at, numbered or context)
     weighed = _with_gravity(statement, at, context)
     yield Supposition(statement, at, weighed or context, words="with g = 9.81 m/s²")
-    pushed = with_newton(statement, context, at.number)
-    yield Supposition(statement, at, pushed or context, words="by Newton's law")
-    by_axes = Cue.COMPONENTS in at.cues and Cue.ELSEWHERE not in at.cues
+    by_axes = Cue.COMPONENTS in at.cues and not at.cues & {Cue.ELSEWHERE, Cue.OTHER}
     columns = with_coordinates(statement, at, context) if by_axes else None
     yield Supposition(statement, at, columns or context, lasts=True, tells=True)
     begun = places.begun(statement, at, context)
@@ -95,14 +92,14 @@ def _possible(
         yield Supposition(statement, at, thrown or context, words="with no potential energy")
         forced = with_force(statement, context, at.number)
         yield Supposition(statement, at, forced or context, lasts=True, tells=True)
-    meant_there = Cue.THERE in at.cues and not at.cues & {Cue.GENERAL, Cue.ELSEWHERE}
+    meant_there = Cue.THERE in at.cues and not at.cues & {Cue.GENERAL, Cue.ELSEWHERE, Cue.OTHER}
     if meant_there and (not at.instant or not _is_placed(at.instant, context)):
         then = _at_the_latest_moment(statement, at, context)
         yield Supposition(statement, then or at, context, words="at that moment")
         timed = _at_the_latest_time(statement, context)
         always = replace(at, instant="") if timed is not None else at
         yield Supposition(timed or statement, always, context, words="at that time")
-    resting = places.rests(statement, at, context)
+    resting = places.rests(statement, at, context) if at.balanced else None
     yield Supposition(statement, at, resting or context, words="where it can rest")
     for there in places.placed(statement, at, context):
         changed = places.with_rates(statement, context)

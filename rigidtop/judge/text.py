@@ -145,6 +145,7 @@ def reading(source: str, macros: Macros | None = None, until: float = inf) -> Re
         habits,
         massless=not weighed and _MASS.search(source) is None,
         weightless=_WEIGHT.search(source) is None,
+        extended=_EXTENDED.search(source) is not None,
         units=_unit_vectors(read),
         driven=_driven(read),
     )
@@ -159,18 +160,35 @@ def reading(source: str, macros: Macros | None = None, until: float = inf) -> Re
     return Reading(tuple(explained_first(asked)), habits, declared_letters(source))
 
 
+_EXTENDED = re.compile(
+    r"\b(?:rods?|cylinders?|dis[ck]s?|hoops?|wheels?|plates?|ladders?|roll(?:s|ing)?"
+    r"|moments? of inertia|St[aä]be?|Scheiben?|Zylinder|rollt)\b",
+    re.I,
+)
+
+
 def _unit_vectors(read: Read) -> frozenset[Letter]:
     """The vectors of which a sentence speaks that calls them unit vectors."""
     named = set()
     for _, sentence in groupby(read, key=lambda each: each[0].sentence):
         said = [(passage, x) for passage, x in sentence if isinstance(x, Statement)]
         words = " ".join(f"{passage.before} {passage.behind}" for passage, _ in said)
-        if _UNIT.search(words):
+        if _UNITS.search(words) and not _NOT.search(words):
             named |= {x.sides[0] for _, x in said if len(x.sides) == 1}
+        named |= {
+            x.sides[0]
+            for passage, x in said
+            if _A_UNIT.match(passage.behind) or _THE_UNIT.search(passage.before)
+        }
     return frozenset(x for x in named if isinstance(x, Letter) and is_vector(x))
 
 
-_UNIT = re.compile(r"\b(?:unit vectors?|Einheitsvektor\w*|vecteurs? unitaires?)\b", re.I)
+_UNITS = re.compile(
+    r"\b(?:both|two|as|be|are) unit vectors\b|\b(?:beide )?Einheitsvektoren\b", re.I
+)
+_A_UNIT = re.compile(r",? ?(?:is |be |as )?an? unit vector\b|,? ?(?:ist )?ein Einheitsvektor", re.I)
+_THE_UNIT = re.compile(r"\bunit vector ?\Z|\bEinheitsvektor ?\Z|\bvecteur unitaire ?\Z", re.I)
+_NOT = re.compile(r"\b(?:not?|neither|length|nicht|kein)\b", re.I)
 
 
 def _driven(read: Read) -> frozenset[Letter]:

@@ -114,7 +114,7 @@ def unequal(heard: frozenset[Cue], text: str, display: bool) -> frozenset[Cue]:
 
 _OF_THE_SENTENCE = {
     *(Cue.EQUILIBRIUM, Cue.OSCILLATION, Cue.CIRCLE, Cue.EQUAL_MASSES),
-    *(Cue.ELSEWHERE, Cue.COMPONENTS, Cue.THERE, Cue.SEVERAL),
+    *(Cue.ELSEWHERE, Cue.OTHER, Cue.COMPONENTS, Cue.THERE, Cue.SEVERAL),
 }
 """Cues that hold of all formulas that follow in a sentence."""
 

@@ -60,7 +60,9 @@ class Cue(Enum):
     STOPPING = auto()
     """Something has come to rest by then: "it stops after the way"."""
     ELSEWHERE = auto()
-    """It is said of something else, or of what has been changed: "for a second body"."""
+    """It is said of what has been changed, or of another place: "on the moon"."""
+    OTHER = auto()
+    """It is said of another body: "for a second cart"."""
     LEAST = auto()
     """It is the smallest one of several."""
     GREATEST = auto()
@@ -268,6 +270,7 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"\bkeeps? (?:its|their|the same|a (?:fixed|constant)) "
         r"(?:\w+ )?(?:angles?|inclinations?|places?|positions?|distances?|heights?)\b",
         r"\b(?:hangs?|hanging) (?:\w+ )?(?:at rest|still|in equilibrium)\b",
+        r"\bthere (?:is|are) (?:another|a second|two more)(?: ones?| rest\w*)?,",
         r"(?:^|[.;¶] ?)(?:at rest|in Ruhe|au repos)\b",
         r"\b(?:equilibri(?:um|a)|(?:can|could) (?:stay|rest|remain)|(?:stays|rests|remains) at"
         r"|Gleichgewicht\w*|Ruhelagen?|équilibre)\b",
@@ -282,18 +285,29 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"|compense|force centri\w+)\b",
     ),
     Cue.STOPPING: (
-        r"\b(?:comes? to (?:a stop|a halt|rest)|stops?|is stopped|halts?|brak(?:es|ing)|bremst"
+        r"\b(?:comes? to (?:a stop|a halt|rest)|stops?|is stopped|halts?"
         r"|kommt zur Ruhe|bleibt (?:stehen|liegen)|Bremsweg|s'arrête)\b",
     ),
     Cue.ELSEWHERE: (
-        r"\b(?:means?|average|middle|half[ -]?way|half lives?|difference|held|clamped|motor"
-        r"|dr[io]v\w+|excit\w+|disturb\w+|instead|another|twice|doubled?|three times|halved?"
-        r"|stiffer|heavier|lighter|relative|drift\w*|seen from|alone|no longer|removed|shorten\w*"
-        r"|in (?:a row|series)"
-        r"|(?:turning|rotating|moving) (?:\w+ )?(?:axes|frame|disc|table)|cent(?:re|er) of mass"
-        r"|(?:second|third|other) (?!one|hand|root|mode|law|side|equation|solution|frequenc|eigen"
-        r"|value|component|coordinate)\w+|in step|in phase|out of phase|against each other|opposite"
-        r"|(?:keeps?|has|with) (?:its|the) (?:natural )?length|numbered)\b",
+        r"\b(?:(?:its|the|their) mean|mean (?:speed|value|velocity|of)|average|half[ -]?way"
+        r"|half lives?|the middle between|clamped|motor|driven|excited|disturbed|instead(?! of)"
+        r"|twice as|doubled?|\w+ times (?:as|the)|halved?|half of"
+        r"|an? (?:third|quarter|fifth|sixth|tenth) of|stiffer|weaker|heavier|lighter|longer|shorter"
+        r"|different|exchanged|replaced|relative (?:motion|distance)|drift\w*|removed|shorten\w*"
+        r"|cut|torn|taken off|loaded|glued|blocked|unloaded)\b",
+        r"\b(?:in (?:a row|series|parallel)|side by side|next to each other|seen (?:from|by)"
+        r"|observer|in the frame|cent(?:re|er) of mass|moon|vacuum|under water|lift that"
+        r"|(?:turning|rotating|moving|accelerating) (?:\w+ )?(?:axes|frame|disc|table|train|car)"
+        r"|upside down|lets? go|burn-?out|on (?:its|the) way (?:up|down|back)|earlier|later"
+        r"|behind the|carousel|twins?|held (?:fast|still|fixed)|is held"
+        r"|in step|in phase|out of phase|against each other|numbered"
+        r"|(?:keeps?|has|with) (?:its|the) (?:natural )?length)\b",
+    ),
+    Cue.OTHER: (
+        r"\b(?:second|third|other|next|another|neighbouring) (?!one|hand|root|mode|law|side"
+        r"|equation|solution|frequenc|eigen|value|component|coordinate|line|term|derivative|two"
+        r"|to|and|time)\w+",
+        r"\b(?:ander(?:e[nmrs]?) (?:Körper|Masse|Kugel)|Mond|autre (?:corps|masse))\b",
     ),
     Cue.LEAST: (rf"\b(?:lower|lowest|slow(?:er|est)?|smaller|smallest|least){_OF_SEVERAL}",),
     Cue.GREATEST: (

@@ -52,3 +52,48 @@ def test_a_frequency_that_is_only_given_a_name_is_not_told():
 def test_components_go_on_from_each_other():
     text = CHARGE + r"$$ m\ddot x = qB\dot y $$ $$ m\ddot z = 0 $$ $$ m\ddot y = qB\dot x $$"
     assert [row.outcome.passed for row in judged(text)[-3:]] == [True, True, False]
+
+
+@pytest.mark.parametrize(
+    ("words", "square"),
+    [
+        ("If the second cart is held fast, the frequency is", "3k/m"),
+        ("The lower one of the frequencies is", "3k/m"),
+        ("Their mean is", "3k/m"),
+        ("On the moon, with other springs, the frequency is", "k/m"),
+    ],
+)
+def test_a_root_of_something_else_does_not_follow(words, square):
+    text = CARTS + rf"{words} $$ \omega_1^2 = {square} $$"
+    assert judged(text)[-1].outcome.passed is not True
+
+
+@pytest.mark.parametrize(
+    ("words", "passed"), [("the two radii are equal", None), ("both are equal", True)]
+)
+def test_only_what_has_a_name_last_is_equal_where_both_are(words, passed):
+    named = r"$$ F = \beta v $$ $$ P = m g\sin\alpha $$"
+    text = rf"{named} Then {words}: $$ \beta v = mg\sin\alpha $$"
+    assert judged(text)[-1].outcome.passed is passed
+
+
+@pytest.mark.parametrize(("name", "passed"), [("min", None), ("max", True)])
+def test_a_greatest_value_bends_downwards(name, passed):
+    text = rf"$$ h = cs - gs^2 $$ $$ h_{{\{name}}} = \frac{{c^2}}{{4g}} $$"
+    assert judged(text)[-1].outcome.passed is passed
+
+
+def test_what_is_no_unit_vector_is_none():
+    words = r"Let {} unit vectors be $\mathbf n$ and $\mathbf k$. $$ \mathbf n\cdot\mathbf n = 1 $$"
+    passed = [judged(words.replace("{}", x))[-1].outcome.passed for x in ("two", "not two")]
+    assert passed[1] is None
+
+
+def test_a_series_to_fourth_order_is_right():
+    text = r"$$ V = b\cos x $$ For small $x$ $$ V \approx b - \frac12 bx^2 + \frac{1}{24}bx^4 $$"
+    assert judged(text)[-1].outcome.passed is not False
+
+
+def test_what_is_counted_may_be_a_whole_number():
+    text = r"With an integer $n$ $$ \cos n\pi = (-1)^n $$"
+    assert judged(text)[-1].outcome.passed is not False
