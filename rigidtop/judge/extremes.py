@@ -11,9 +11,7 @@ from sympy import Expr, MatrixBase, Symbol
 
 from rigidtop.judge.context import SETTING, Constraint
 from rigidtop.judge.jets import TIME, jets
-from rigidtop.judge.letters import (
-    ANGLES,
-)
+from rigidtop.judge.letters import ANGLES
 from rigidtop.judge.program import Program
 from rigidtop.judge.quantity import Quantity
 from rigidtop.judge.question import Question

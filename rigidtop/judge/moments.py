@@ -75,8 +75,7 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
 class _Words:
     """The instant of which the words speak `now`, and of which they spoke in the sentence before.
 
-    The latest one of this sentence is `spoken` of.
-
+    `spoken` is the latest one of this sentence.
     It is given by the `place`, a letter that has a value then, or by a time; `any_time` says that
     the sentence speaks of all times, `clocked` that it has said which time is meant.
     """

@@ -49,7 +49,6 @@ from rigidtop.tree.plain import plain as in_words
 
 _SQUARE = n.Number("2")
 _KINETIC, _POTENTIAL = Letter("T"), Letter("V")
-_TOTALS = tuple(map(Letter, "EHL"))
 _LATE = "at last"
 _EXTREMES = ("max", "min", "top", "1", "2")
 
