@@ -29,7 +29,6 @@ LITTLE = 4e-3
 """At the last step the sides differ by no more than this share."""
 
 
-_LAST = (STEPS - 2, STEPS - 1)
 LONGEST = 200
 """A side with more operations is not taken apart into its terms."""
 
@@ -63,8 +62,9 @@ def nearly(
     return None
 
 
-_ROUNDING = 1e-13
-"""What is left out may be no more than the rounding of the largest term."""
+_ROUNDING, _SETTLED = 1e-15, 1e-13
+"""What is left out may be no more than these shares of the largest term: the second one where
+equations had to be solved for the numbers."""
 
 
 def is_too_long(
@@ -74,35 +74,52 @@ def is_too_long(
     terms = Add.make_args(right.expand()) if operations(right) < LONGEST else (right,)
     if len(terms) < 2:
         return False
-    shares = []
-    for k in _LAST:
-        settled, _ = _settled(tuple(equations), worlds, scaling, k)
-        if settled is None:
+    for k in reversed(range(1, STEPS)):
+        gaps = [
+            _beside_smallest(left, right, terms, equations, worlds, scaling, x) for x in (k, k - 1)
+        ]
+        last, before = gaps
+        if last is None or before is None:
             return False
-        values = np.abs(Program(worlds.letters, settled).values([left - right, *terms]).values)
-        left_out = np.where(values[0] <= _ROUNDING * values[1:].max(axis=0), 0, values[0])
-        with np.errstate(all="ignore"):
-            shares.append(left_out / values[1:].min(axis=0))
-    before, last = shares
-    if not np.isfinite(shares).all():
-        return False
-    return bool(((last > LITTLE) & (last >= STAYS * before)).all())
+        if last.is_resolved:
+            return bool(((last.share > LITTLE) & (last.share >= STAYS * before.share)).all())
+    return False
+
+
+def _beside_smallest(
+    left: Expr,
+    right: Expr,
+    terms: Sequence[Expr],
+    equations: Sequence[Expr],
+    worlds: Worlds,
+    scaling: Scaling,
+    step: int,
+) -> Gap | None:
+    """By how much the sides differ after some steps, as a share of the smallest of some terms."""
+    settled, _ = _settled(tuple(equations), worlds, scaling, step)
+    if settled is None:
+        return None
+    at = Program(worlds.letters, settled).values([left - right, *terms])
+    gap = _gap_of(at.values[0], at.sizes[0], np.abs(at.values[1:]).min(axis=0), equations)
+    return gap if np.isfinite(gap.share).all() else None
 
 
 def differ(
     left: Expr, right: Expr, equations: Sequence[Expr], worlds: Worlds, scaling: Scaling
 ) -> bool:
     """Whether both sides have values at the last steps and in no world become alike."""
-    before, last = (_gap(left, right, equations, worlds, scaling, k, True) for k in _LAST)
-    if before is None or last is None or not np.isfinite([before, last]).all():
+    sides = left, right, equations, worlds, scaling
+    step, last = _last(*sides, strictly=True)
+    before = _gap(*sides, step - 1, strictly=True) if last is not None else None
+    if before is None or last is None or not np.isfinite([before.share, last.share]).all():
         return False
-    return bool(((last > LITTLE) & (last >= STAYS * before)).all())
+    return bool(((last.share > LITTLE) & (last.share >= STAYS * before.share)).all())
 
 
 def share(left: Expr, right: Expr, worlds: Worlds, scaling: Scaling) -> NDArray[np.float64]:
     """By which share of the larger one both sides differ at the last step."""
-    gap = _gap(left, right, (), worlds, scaling, STEPS - 1)
-    return np.full(worlds.count, np.inf) if gap is None else gap
+    _, gap = _last(left, right, (), worlds, scaling)
+    return np.full(worlds.count, np.inf) if gap is None else gap.share
 
 
 def small_together(letters: frozenset[Letter], worlds: Worlds) -> Scaling | None:
@@ -152,14 +169,56 @@ def scalings(
 def _tends(
     left: Expr, right: Expr, equations: Sequence[Expr], worlds: Worlds, scaling: Scaling
 ) -> bool:
-    gaps = []
-    for k in (STEPS - 1, 0):  # the last step decides most often
-        gap = _gap(left, right, equations, worlds, scaling, k)
-        if gap is None or not (np.isfinite(gap).all() and (k == 0 or (gap < LITTLE).all())):
-            return False
-        gaps.append(gap)
-    last, first = gaps
-    return bool((last <= 0.3 * np.maximum(first, 1e-9)).all())
+    sides = left, right, equations, worlds, scaling
+    _, last = _last(*sides)  # it decides most often
+    if last is None or not (last.share < LITTLE).all():
+        return False
+    first = _gap(*sides, 0)
+    if first is None or not np.isfinite(first.share).all():
+        return False
+    return bool((last.share <= 0.3 * np.maximum(first.share, 1e-9)).all())
+
+
+@dataclass(frozen=True, eq=False)
+class Gap:
+    """By which share two sides differ in each world, and how much of that may be rounding."""
+
+    share: NDArray[np.float64]
+    rounding: NDArray[np.float64]
+
+    @property
+    def is_resolved(self) -> bool:
+        """Whether rounding would change nothing that is seen."""
+        return bool((self.rounding < LITTLE / 4 * np.maximum(self.share, 1)).all())
+
+
+def _gap_of(
+    values: Array, terms: NDArray[np.float64], size: NDArray[np.float64], equations: Sequence[Expr]
+) -> Gap:
+    """Values as shares of a size; those that rounding of their terms may have left are zero."""
+    rounding = (_SETTLED if equations else _ROUNDING) * terms
+    gaps = np.where(np.abs(values) <= rounding, 0, np.abs(values))
+    with np.errstate(all="ignore"):
+        return Gap(gaps / size, rounding / size)
+
+
+def _last(
+    left: Expr,
+    right: Expr,
+    equations: Sequence[Expr],
+    worlds: Worlds,
+    scaling: Scaling,
+    strictly: bool = False,
+) -> tuple[int, Gap | None]:
+    """The gap after the last step at which rounding does not hide it, and that step.
+
+    1 − cos x is lost in the rounding of 1 where x is small enough.
+    """
+    for step in reversed(range(1, STEPS)):
+        gap = _gap(left, right, equations, worlds, scaling, step, strictly)
+        if gap is None or gap.is_resolved or not np.isfinite(gap.share).all():
+            break
+    return step, gap
 
 
 def _gap(
@@ -170,8 +229,8 @@ def _gap(
     scaling: Scaling,
     step: int,
     strictly: bool = False,
-) -> NDArray[np.float64] | None:
-    """The share by which both sides differ after some steps; None where it has no value.
+) -> Gap | None:
+    """By how much both sides differ after some steps; None where it has no value.
 
     What is said to vanish has to be small beside what is scaled.
     """
@@ -183,14 +242,13 @@ def _gap(
         at = Program(worlds.letters, settled).values([left, right, left - right])
     except UnknownFunctionError:
         return None
-    with np.errstate(all="ignore"):
-        size = np.maximum(np.abs(at.values[0]), np.abs(at.values[1]))
-        size = np.maximum(size, _TYPICAL * np.median(size))  # both may be small by chance
-        if left == 0 or right == 0:
-            size = at.sizes[2]
-            if len(scaling.letters) > 1 and scaling.factor < 1:
-                size = np.abs(points[scaled]).max(axis=0)
-        return np.asarray(np.abs(at.values[2]) / size, float)
+    size = np.maximum(np.abs(at.values[0]), np.abs(at.values[1]))
+    size = np.maximum(size, _TYPICAL * np.median(size))  # both may be small by chance
+    if left == 0 or right == 0:
+        size = at.sizes[2]
+        if len(scaling.letters) > 1 and scaling.factor < 1:
+            size = np.abs(points[scaled]).max(axis=0)
+    return _gap_of(at.values[2], at.sizes[2], size, equations)
 
 
 def _scaled(worlds: Worlds, scaling: Scaling, step: int) -> tuple[Array, list[int]]:
