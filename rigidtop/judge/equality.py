@@ -199,7 +199,7 @@ def _excused(question: Question) -> Judgement | None:
 
 
 def _but_for_a_sign(question: Question) -> Judgement | None:
-    """That it holds where what is said to be a root is not negative: cos α = √(1 − sin² α)."""
+    """That it holds where a letter has the sign of the root: cos α = √(1 − sin² α)."""
     sides = (question.left, question.right)
     bare = [x for x in sides if not any(isinstance(y, n.Root) for y in n.walked(x))]
     if len(question.both) != 1 or len(bare) != 1 or bare[0] == ZERO:
@@ -208,9 +208,15 @@ def _but_for_a_sign(question: Question) -> Judgement | None:
     signs = question.worlds.signs([left * right])
     if signs is None or not (signs > 0).any() or not question.worlds.holds([(left**2, right**2)]):
         return None
+    sign = question.worlds.signs([left if bare[0] is question.left else right])
+    assert sign is not None
+    agree = {*sign[signs > 0]}
+    if agree not in ({1}, {-1}):
+        return None
     outcome, context = question.follows()
-    where = f"{latex(bare[0])} \\geq 0"
-    words = f"where {in_words(bare[0])} is not negative"
+    relation, opposite = ("\\geq", "negative") if agree == {1} else ("\\leq", "positive")
+    where = f"{latex(bare[0])} {relation} 0"
+    words = f"where {in_words(bare[0])} is not {opposite}"
     return replace(outcome, verdict=ASSUMING, why=words, conditions=(where,)), context
 
 

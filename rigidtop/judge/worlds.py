@@ -374,12 +374,17 @@ def _starts(
 
 @lru_cache(maxsize=1_000)
 def _places(seed: int, rates: tuple[bool, ...], backwards: tuple[bool, ...]) -> Array:
-    """Random numbers for letters that are rates, or not; a speed may be one backwards."""
+    """Random numbers for letters that are rates, or not; a speed may be one backwards.
+
+    Of two places that stand side by side the rates have opposite signs, so that √ẋ² is not ẋ.
+    """
     rng = np.random.default_rng(seed)
     rows = [
         rng.uniform(-1.5, 1.5, _STARTS) if is_rate else rng.uniform(0.5, 1.9, _STARTS)
         for is_rate in rates
     ]
+    for row in (row for row, is_rate in zip(rows, rates, strict=True) if is_rate):
+        row[1::2] = np.copysign(row[1::2], -row[::2])
     rows = [
         row * rng.choice([-1, 1], _STARTS) if either else row
         for row, either in zip(rows, backwards, strict=True)
