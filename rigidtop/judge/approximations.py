@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from itertools import combinations
 from math import gcd
 
 from sympy import Rational
@@ -56,6 +57,8 @@ def judged(question: Question) -> Judgement:
         return compared(*sides, question.meant, question.rests_on_meaning, nearly=True), context
     if question.holds():
         return question.follows()
+    if Cue.NEARLY_EQUAL in question.at.cues and Cue.SMALL not in question.at.cues:
+        return _of_two_alike(question), context
     outcome = nearly_equal(question) or worth.number(question, nearly=True)
     if outcome is not None:
         return outcome
@@ -182,6 +185,23 @@ def said(question: Question) -> Judgement | None:
     # Another sign, or twice as much, is no approximation.
     wrong = slip(question, most=NUMBERS)
     return outcome if wrong is None else (wrong.outcome, wrong.context)
+
+
+def _of_two_alike(question: Question) -> Outcome:
+    """What holds where two parameters are equal holds nearly where they are nearly so."""
+    found = {
+        x: jet.letter
+        for pair in question.both
+        for side in pair
+        for x, jet in jets(side).items()
+        if not jet.order and jet.letter not in question.moving
+    }
+    for x, y in combinations(sorted(found, key=str), 2):
+        both = [(left.subs(y, x), right.subs(y, x)) for left, right in question.both]
+        if question.of(both).holds():
+            words = f"nearly equal {in_words(found[x])} and {in_words(found[y])}"
+            return Outcome(ASSUMING, f"for {words}", question.rests_on, conditions=(words,))
+    return Outcome(UNDECIDED, "it is not seen which two are nearly equal")
 
 
 def _nearly_root(question: Question) -> Outcome | None:

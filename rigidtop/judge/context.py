@@ -205,6 +205,16 @@ class Context:
                 del kept[name]
         return replace(self, definitions={**kept, letter: definition})
 
+    def comparing(self, little: frozenset[Letter], sentence: int) -> Context:
+        """The same, where letters are small beside others: they are so together."""
+        others = tuple(x for x in self.little if not x <= little)
+        return replace(self, little=(*others, little), compared=sentence)
+
+    def speaks_of(self, node: Node) -> bool:
+        """Whether something that has been said, or follows, says what this is."""
+        stated = (*self.constraints, *self.followed)
+        return node in self.definitions or any(each.left == node for each in stated)
+
     def holding(self, constraint: Constraint) -> Context:
         """With something more that holds."""
         return replace(self, constraints=(*self.constraints, constraint))

@@ -43,6 +43,7 @@ from rigidtop.judge.situation import Situation
 from rigidtop.judge.suppositions import suppositions
 from rigidtop.judge.values import UnclearError
 from rigidtop.judge.vocabulary import Memory
+from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
@@ -82,6 +83,12 @@ class Judge:
         names = outcome.verdict == DEFINITION and outcome.brings  # "is Q = … canonical?"
         if situation.asked and not (outcome.passed or names):
             return Outcome(UNDECIDED, "it is asked, or denied"), doubting
+        if outcome.verdict == FALSE and _may_be_elsewhere(statement, situation, context):
+            why = "it is otherwise above; the words may speak of another case"
+            return Outcome(UNDECIDED, why, outcome.rests_on), doubting
+        if outcome.passed and _is_said_again(statement, situation, context):
+            why = "it is the same above, and the words speak of another case"
+            return Outcome(UNDECIDED, why, outcome.rests_on), doubting
         if outcome.verdict == FALSE and outcome.rests_on & context.doubted:
             why = "it rests on what has been said in two ways"
             return Outcome(UNDECIDED, why, outcome.rests_on), context
@@ -335,6 +342,19 @@ class Judge:
         return Question(left, right, at, premises, self.patience, inner)
 
 
+def _may_be_elsewhere(statement: Statement, at: Situation, context: Context) -> bool:
+    """Whether it says anew what stands above, in circumstances that only words tell."""
+    told = Cue.CIRCUMSTANCE in at.cues and not at.closed
+    return told and context.speaks_of(statement.sides[0])
+
+
+def _is_said_again(statement: Statement, at: Situation, context: Context) -> bool:
+    """Whether it repeats what stands above, in circumstances that only words tell."""
+    said = {(each.left, each.right) for each in (*context.constraints, *context.followed)}
+    told = Cue.CIRCUMSTANCE in at.cues and not at.closed
+    return told and len(statement.sides) == 2 and statement.sides in said
+
+
 def braces(statement: Statement) -> Iterator[n.Braced]:
     """The braces of a statement below which stands what the part is equal to, and no count."""
     found = (x for side in statement.sides for x in n.walked(side) if isinstance(x, n.Braced))
@@ -421,7 +441,5 @@ def _conditioned(question: Question, relation: str) -> Judgement:
             context = replace(context, not_zero=(*context.not_zero, gap))
     elif relation in ("≪", "≫"):
         little = own_letters(question.left if relation == "≪" else question.right)
-        # What is smaller than the same is so together.
-        others = tuple(x for x in context.little if not x <= little)
-        context = replace(context, little=(*others, little), compared=question.at.sentence)
+        context = context.comparing(little, question.at.sentence)
     return Outcome(PREMISE, "a condition"), context

@@ -323,7 +323,9 @@ def _on_circle(node: n.Node, passage: Passage, number: int, context: Context) ->
 
 
 def _tending(node: n.Node, passage: Passage, context: Context) -> Context:
-    """What is known where words call a letter small, or large, in a sentence."""
+    """What is known where words call a letter small, or large, or much smaller than another."""
+    if Cue.LITTLE in passage.cues and isinstance(node, Letter):
+        return context.comparing(frozenset({node}), passage.sentence)
     words = _GROWS.search(passage.before)
     if words is None or not isinstance(node, Letter) or node in context.habits.moving:
         return context

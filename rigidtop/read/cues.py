@@ -80,6 +80,8 @@ def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
     heard = {cue for cue, pattern in _BEFORE.items() if pattern.search(before)}
     heard |= {cue for cue, pattern in _WITHIN.items() if pattern.search(before)}
     heard |= {cue for cue, pattern in _BEHIND.items() if pattern.match(behind)}
+    if not (display and before[:1].isupper()):  # within a sentence, or at its end
+        heard -= {Cue.CIRCUMSTANCE}
     if not display:
         if _SUPPOSED_BEHIND.fullmatch(behind):
             heard |= {Cue.CASE, Cue.MOMENT}
@@ -113,7 +115,7 @@ def unequal(heard: frozenset[Cue], text: str, display: bool) -> frozenset[Cue]:
 
 
 _OF_THE_SENTENCE = {
-    *(Cue.EQUILIBRIUM, Cue.OSCILLATION, Cue.CIRCLE, Cue.EQUAL_MASSES),
+    *(Cue.EQUILIBRIUM, Cue.OSCILLATION, Cue.CIRCLE, Cue.EQUAL_MASSES, Cue.NEARLY_EQUAL),
     *(Cue.ELSEWHERE, Cue.OTHER, Cue.COMPONENTS, Cue.THERE, Cue.SEVERAL),
 }
 """Cues that hold of all formulas that follow in a sentence."""
@@ -129,6 +131,8 @@ def passed_on(
     """
     moment = heard & {Cue.MOMENT} if not _CONCLUSION.search(before) else frozenset()
     moment |= heard & _OF_THE_SENTENCE
+    if not before.strip():
+        moment |= heard & {Cue.CIRCUMSTANCE}
     if Cue.RANGE in heard and _TO.fullmatch(before.strip()):
         moment |= {Cue.RANGE}
     if not enumerates(before):

@@ -63,6 +63,8 @@ class Cue(Enum):
     """It is said of what has been changed, or of another place: "on the moon"."""
     OTHER = auto()
     """It is said of another body: "for a second cart"."""
+    CIRCUMSTANCE = auto()
+    """Its sentence begins with circumstances that words alone tell: "On a greased table it has"."""
     LEAST = auto()
     """It is the smallest one of several."""
     GREATEST = auto()
@@ -87,6 +89,10 @@ class Cue(Enum):
     """It holds for equal masses."""
     BOTH_EQUAL = auto()
     """The last two things that have been given a name are equal."""
+    NEARLY_EQUAL = auto()
+    """It holds where two things are nearly equal: "for coils that are almost alike"."""
+    LITTLE = auto()
+    """The letter is much smaller than another one: "much heavier than the planet §"."""
     CIRCLE = auto()
     """It holds on a circle."""
     OSCILLATION = auto()
@@ -123,16 +129,18 @@ _PLACE = (
     r"|instant|(?:peri|ap)helion|perigee|apogee|(?:peri|apo)cent(?:re|er)|maximum|minimum|middle|cent(?:re|er)|wall|surface|axis|rim)"
 )
 _OF_SEVERAL = r" (?:of|one|mode|root|frequency|frequencies|eigen\w+|value|moment)\b"
+_LIKE = r"(?:equal|alike|the same|identical|egal|as (?:\w+) as)\b"
 _SMALL = (
     r"(?:small(?:ness of)? (?:§|angles?|oscillations?|vibrations?|displacements?|deviations?"
     r"|swings?"
     r"|amplitudes?|motions?|perturbations?|disturbances?|deflections?|things|quantities|terms)"
-    r"|(?:first|second|lowest|leading|linear) order|nearly|approximately|almost|roughly"
+    r"|(?:first|second|lowest|leading|linear) order|approximately|roughly"
+    rf"|(?:nearly|almost)(?! {_LIKE})"
     r"|linear(?:is|iz)"
     r"|neglect|dropping|(?:I|we) drop|slightly"
     r"|kleinen? (?:§|Winkeln?|Schwingung(?:en)?|Auslenkung(?:en)?|Ausschläge|Störung(?:en)?)"
     r"|(?:erster|zweiter|führender) Ordnung|näherungsweise|ungefähr|vernachlässig"
-    r"|fast (?:konstant|null|gleich|senkrecht)"
+    r"|fast (?:konstant|null|senkrecht)"
     r"|petite?s? (?:§|angles?|oscillations?|mouvements?|déplacements?)|premier ordre|approximative"
     r"|environ|presque|néglig)"
 )
@@ -143,6 +151,19 @@ _LARGE = (
     r"|gro(?:ß|ss)es? §"
     r"|toupie rapide|grande?s? (?:§|vitesses?))"
 )
+
+_SMALLER = r"(?:small|light|slow|short|weak|low)er\b"
+_LARGER = r"(?:larg|great|bigg|heavi|fast|quick|long|strong|high|stiff)er\b"
+
+_CIRCUMSTANCE = (
+    r"(?:(?:and|but|so|then|now|und|aber|et|mais),? )?"
+    r"(?:on|with|without|after|as soon as|where|while|if|when|once|under|behind|during|an?|another"
+    r"|for|auf|ohne|nach|sobald|während|wenn|unter|hinter|eine?|sur|sans|après|dès que|pendant|si"
+    r"|quand|sous|une?)"
+    r" (?!this|that|these|those|its?\b|them|the (?:same|other)|general|both|our|small|large|which"
+    r"|particular|us|all|each|every|any|beide|diese|all|les deux|cela|ce\b|en\b)"
+)
+"""Words with which circumstances begin, and not what is done with the equations."""
 
 _POSITION = (
     r"(?:(?:(?:rest|equilibrium|lowest|highest|hanging|upright|vertical|horizontal|initial) )?"
@@ -202,6 +223,11 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
     ),
     Cue.SMALL: (r"\b(?:small|kleine[nrms]?|petite?s?)",),
     Cue.LARGE: (r"\b(?:large|gro(?:ß|ss)e[nrms]?|grande?s?)",),
+    Cue.LITTLE: (
+        rf"\bmuch {_LARGER} than{_NOUN}",
+        r"\bviel (?:größer|schwerer|schneller|länger|stärker) als(?: [\w-]+){0,2}",
+        r"\bbeaucoup plus (?:grande?|lourde?|rapide|longue?) que(?: [\w-]+){0,2}",
+    ),
     Cue.CONSTANT: (
         r"(?<!§ is )(?<!^is )\b(?:an?|the|another|one) (?:(?:\w+ )?constant(?: of (?:the )?motion)?"
         r"|conserved (?:quantity|momentum|energy)|constant \w+)(?: is)?",
@@ -292,7 +318,8 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"\b(?:(?:its|the|their) mean|mean (?:speed|value|velocity|of)|average|half[ -]?way"
         r"|half lives?|the middle between|clamped|motor|driven|excited|disturbed|instead(?! of)"
         r"|twice as|doubled?|\w+ times (?:as|the)|halved?|half of"
-        r"|an? (?:third|quarter|fifth|sixth|tenth) of|stiffer|weaker|heavier|lighter|longer|shorter"
+        r"|an? (?:third|quarter|fifth|sixth|tenth) of"
+        r"|(?:stiffer|weaker|heavier|lighter|longer|shorter)(?! than)"
         r"|different|exchanged|replaced|relative (?:motion|distance)|drift\w*|removed|shorten\w*"
         r"|cut|torn|taken off|loaded|glued|blocked|unloaded)\b",
         r"\b(?:in (?:a row|series|parallel)|side by side|next to each other|seen (?:from|by)"
@@ -303,6 +330,7 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"|in step|in phase|out of phase|against each other|numbered"
         r"|(?:keeps?|has|with) (?:its|the) (?:natural )?length)\b",
     ),
+    Cue.CIRCUMSTANCE: (rf"^{_CIRCUMSTANCE}(?!the {_QUANTITY})[\w'-]+ [\w'-]+",),
     Cue.OTHER: (
         r"\b(?:second|third|other|next|another|neighbouring) (?!one|hand|root|mode|law|side"
         r"|equation|solution|frequenc|eigen|value|component|coordinate|line|term|derivative|two"
@@ -368,6 +396,9 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"\bbeide(?: Kräfte)? (?:sind )?(?:gleich(?: groß)?|einander gleich)\b",
         r"\bles deux(?: forces)? sont égale?s?\b",
     ),
+    Cue.NEARLY_EQUAL: (
+        rf"\b(?:nearly|almost) {_LIKE}|\bfast (?:gleich|ebenso)|\bpresque (?:égale?s?|les mêmes)",
+    ),
     Cue.CIRCLE: (r"\b(?:on an? (?:\w+ )?circle|circular|Kreisbahn\w*|circulaire)\b",),
     Cue.OSCILLATION: (
         r"\b(?:\w*(?:frequen[cz]|fréquen|pulsation|oscill|vibrat|swing|schwing|librat|hunting)"
@@ -414,6 +445,11 @@ BEHIND: dict[Cue, tuple[str, ...]] = {
     Cue.LARGE: (
         rf",? ?\(?(?:for|if|when|für|pour) (?:an? |the )?{_LARGE}",
         rf"{_AND}(?:{_BEING} )?(?:very |sehr |très )?(?:large|groß|gross|grande?s?)\b",
+    ),
+    Cue.LITTLE: (
+        rf",? ?{_BEING} (?:so |very )?much {_SMALLER} than\b",
+        r",? ?ist (?:so |sehr )?viel (?:kleiner|leichter|langsamer|kürzer|schwächer) als\b",
+        r",? ?est beaucoup plus (?:petite?|légère?|lente?|courte?) que\b",
     ),
     Cue.ORIGIN: (
         rf",? ?\(?(?:(?:{_BEING}|for|as|als|comme|when|where|if|wenn|wo|si|means|heißt"

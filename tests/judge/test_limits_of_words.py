@@ -13,9 +13,34 @@ WRONG = {
         r"$v = u(1 - e^{-t/\tau})$, where $u = g\tau$. For $t \gg \tau$, $v \approx g t$."
     ),
     "another limit, by a word": r"$F = -k x + b x^3$. For small $x$, $F \approx b x^3$.",
+    "the smaller of two, in words": (
+        r"$\mu = \frac{mM}{m + M}$. The star $M$ is much heavier than the planet $m$, so "
+        r"$\mu \approx M$."
+    ),
+    "a higher term, in what is lost in a sum": (
+        r"$E = \frac{mc^2}{\sqrt{1 - v^2/c^2}}$. At low speeds "
+        r"$E \approx mc^2 + \frac12 mv^2 - \frac{3mv^4}{8c^2}$."
+    ),
+    "a higher term, in a difference": (
+        r"$E = \frac{mc^2}{\sqrt{1 - v^2/c^2}}$. At low speeds "
+        r"$E - mc^2 \approx \frac12 mv^2\left(1 - \frac{3v^2}{4c^2}\right)$."
+    ),
+    "a higher term of a cosine": (
+        r"$V = b\cos x$. For small $x$, $V \approx b - \frac12 bx^2 - \frac1{24}bx^4$."
+    ),
+    "of two that are nearly equal": (
+        r"$H = \frac{AB}{A + B}$. For coils that are almost alike $H \approx A$."
+    ),
     "the greater of two": r"$E = A a^2 + C n^2$. For $n \gg a$, $E \approx A a^2$.",
     "another oscillation, by its index": (
         r"$m\ddot x = -k x$ and $l\ddot y = -g y$. So $x$ swings with $\omega_x^2 = g/l$."
+    ),
+    "the same with the spring cut": (
+        r"$\ddot x = -\frac{k + c}{m}x$. Without the right spring $$\ddot x = -\frac{k + c}{m}x$$"
+    ),
+    "the same on a rough table": (
+        r"$M\ddot x = F$, so $$\ddot x = \frac FM.$$ On a rough table, where the block rubs, "
+        r"$$\ddot x = \frac FM$$"
     ),
     "the other root": (
         r"$v^2 - 2 u v - w^2 = 0$. The positive root is $v = u - \sqrt{u^2 + w^2}$."
@@ -33,6 +58,21 @@ RIGHT = {
         r"$v = u(1 - e^{-t/\tau})$, where $u = g\tau$. For $t \ll \tau$, $v \approx g t$."
     ),
     "the same limit, by a word": r"$F = -k x + b x^3$. For small $x$, $F \approx -k x$.",
+    "the greater of two, in words": (
+        r"$\mu = \frac{mM}{m + M}$. The star $M$ is much heavier than the planet $m$, so "
+        r"$\mu \approx m - \frac{m^2}{M}$."
+    ),
+    "a higher term, in what is lost in a sum": (
+        r"$E = \frac{mc^2}{\sqrt{1 - v^2/c^2}}$. At low speeds "
+        r"$E \approx mc^2 + \frac12 mv^2 + \frac{3mv^4}{8c^2}$."
+    ),
+    "a higher term, in a difference": (
+        r"$E = \frac{mc^2}{\sqrt{1 - v^2/c^2}}$. At low speeds "
+        r"$E - mc^2 \approx \frac12 mv^2\left(1 + \frac{3v^2}{4c^2}\right)$."
+    ),
+    "of two that are nearly equal": (
+        r"$H = \frac{AB}{A + B}$. For coils that are almost alike $H \approx \frac A2$."
+    ),
     "the greater one": r"$E = A a^2 + C n^2$. For $n \gg a$, $E \approx C n^2$.",
     "the oscillation of that index": (
         r"$m\ddot x = -k x$ and $l\ddot y = -g y$. So $x$ swings with $\omega_x^2 = k/m$."
@@ -54,6 +94,8 @@ def test_what_is_right_passes(text):
         r"$l\ddot\phi = -g\phi$. A pendulum of length $4 l$ has $\omega_1^2 = g/(4 l)$.",
         r"$m\ddot x = -k x$. The spring cut in half has $\omega_1^2 = 2k/m$.",
         r"$m\ddot x = -k x$. With the mass $M$ instead, $\omega^2 = k/M$.",
+        r"$m\ddot x = -(k + c)x$. Without the right spring we have $$m\ddot x = -kx.$$",
+        r"$m\ddot x = F - mg$. A rocket without fuel has $$\ddot x = -g.$$",
     ],
 )
 def test_another_body_may_have_another_frequency(text):
@@ -91,3 +133,15 @@ $$v^2 = w^2$$
     assert there.outcome.passed
     assert not in_general.outcome.passed
     assert not square.outcome.passed
+
+
+@pytest.mark.parametrize(
+    ("root", "words"),
+    [
+        (r"\sqrt{u^2 - 2gy}", "where ẏ is not negative"),
+        (r"-\sqrt{u^2 - 2gy}", "where ẏ is not positive"),
+    ],
+)
+def test_a_root_of_a_speed_holds_for_one_direction(root, words):
+    outcome = judged(rf"$\dot y^2 = u^2 - 2gy$, so $\dot y = {root}$.")[-1].outcome
+    assert (outcome.verdict, outcome.why) == ("assuming", words)
