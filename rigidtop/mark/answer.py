@@ -29,6 +29,7 @@ from rigidtop.mark.arrival import equalities, holds_on, is_reached, is_said, is_
 from rigidtop.mark.assertions import asserted
 from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.task import Branch, Task, Together
+from rigidtop.read.walk import places
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain
@@ -57,18 +58,22 @@ def mark(
     until = time.process_time() + altogether
     answer = _Answer.begun(source, task)
     lines: list[Marked] = []
-    for at, each, situated in asserted(source, task, until):
+    line_of = places(source)
+    for position, each, situated in asserted(source, task, until):
+        at = line_of(position)[0]
         if len(lines) == MOST_LINES:
-            lines.append(Marked(at, "", Mark.UNREAD, f"more than {MOST_LINES} lines"))
+            why = f"more than {MOST_LINES} lines"
+            lines.append(Marked(at, "", Mark.UNREAD, why, position=position))
             break
         if isinstance(each, Unread):
             text = " ".join(str(situated).split())
-            lines.append(Marked(at, text, Mark.UNREAD, each.reason))
+            lines.append(Marked(at, text, Mark.UNREAD, each.reason, position=position))
             continue
         assert isinstance(situated, Situation)
         answer, outcome, place = answer.after(each, situated, _Limits(a_line, until))
         wrong = next((x.line for x in lines if x.mark is Mark.WRONG), 0)
-        lines.append(_marked(at, each, outcome, answer, wrong, task.words[place]))
+        marked = _marked(at, each, outcome, answer, wrong, task.words[place])
+        lines.append(replace(marked, position=position))
     return _marking(tuple(sorted(lines, key=lambda x: x.line)), answer, task, until)
 
 

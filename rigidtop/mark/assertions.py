@@ -29,24 +29,24 @@ from rigidtop.tree.statement import Statement, Unread
 def asserted(
     source: str, task: Task, until: float
 ) -> Iterator[tuple[int, Statement | Unread, Situation | str]]:
-    """What an answer asserts, in the letters of its task, with the line where it stands.
+    """What an answer asserts, in the letters of its task, with the position where it stands.
 
     With it goes what the words around it say; with what is unread, what stands there.
     """
-    read, place = read_text(source, until=until, plain=True)
+    read, _ = read_text(source, until=until, plain=True)
     facts = ALWAYS.union(*(context.letters for context in task.contexts))
     read = _conditions_first(read, facts)
     for problem in problems(source):
         rest = source[problem.position : problem.position + 60].split("\n", 1)[0]
-        yield place(problem.position)[0], Unread(problem.position, problem.reason), rest
+        yield problem.position, Unread(problem.position, problem.reason), rest
     names, moments, large = declared_letters(source), instants(read), _behind_large(read)
     moments = [each or _only_there(k, read, facts) for k, each in enumerate(moments)]
     moving = frozenset().union(*(context.habits.moving for context in task.contexts))
     for number in _explained_first(read, facts):
         passage, each = read[number]
-        line = place(passage.start + each.position)[0]
+        position = passage.start + each.position
         if isinstance(each, Unread):
-            yield line, each, passage.text
+            yield position, each, passage.text
             continue
         if not each.relations or any(isinstance(x, n.Omitted) for x in each.sides):
             continue
@@ -59,7 +59,7 @@ def asserted(
             at = replace(at, cues=at.cues - {Cue.SMALL, Cue.APPROXIMATED} | {Cue.LARGE})
         statement, time = at_one_time(_in_letters_of(each, read, task.contexts), moving)
         at = replace(at, instant=at.instant if time is None else instant_at(time))
-        yield line, statement, replace(at, closed=True)
+        yield position, statement, replace(at, closed=True)
 
 
 _SUPPOSE = re.compile(

@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 
 from rigidtop.derivations.exercises import EXERCISES
@@ -78,9 +79,12 @@ def answered(
         raise RigidtopError(f"an answer has no more than {LONGEST} characters, not {len(source)}")
     asked = numbers(exercise, given)
     if any(match[1] in asked for match in _NAMED.finditer(source)):
-        return "", "", _numeric(source, exercise.name, asked)
+        found = _numeric(source, exercise.name, asked)
+        rubric = exercise.rubric and exercise.rubric.of_numbers(len(asked))
+        return "", "", replace(found, rubric=rubric)
     ends_here = ends(name) if subject is None else _ends_of(exercise, subject)
-    return (*ends_here, mark(source, task(*ends_here, subject), a_line, altogether))
+    found = mark(source, task(*ends_here, subject), a_line, altogether)
+    return (*ends_here, replace(found, rubric=exercise.rubric))
 
 
 def numbers(exercise: Exercise, given: Sequence[str] = ()) -> Mapping[str, Answer]:
@@ -145,24 +149,26 @@ def _listed(asked: Iterable[Answer]) -> str:
 
 
 def _numeric(source: str, name: str, asked: Mapping[str, Answer]) -> Marking:
-    made = []
+    made: list[Marked] = []
     right = set()
+    position = 0
     for at, written in enumerate(source.split("\n"), start=1):
+        begin, position = position, position + len(written) + 1
         match = _NAMED.fullmatch(written)
         if match is None:
             if re.search(r"[=$\\]", written):
                 reason = (
                     "beside numbers no formulas are marked: give them in an answer of their own"
                 )
-                made.append(Marked(at, written.strip(), Mark.UNREAD, reason))
+                made.append(Marked(at, written.strip(), Mark.UNREAD, reason, position=begin))
             continue
         value = match[2].strip(" \t.,;")
         said = f"{match[1]} = {value}"
         if match[1] not in asked:
             reason = f"{name} asks for no {match[1]}, but for {_listed(asked.values())}"
-            made.append(Marked(at, said, Mark.UNREAD, reason))
+            made.append(Marked(at, said, Mark.UNREAD, reason, position=begin))
             continue
-        made.append(_marked(at, said, value, asked[match[1]]))
+        made.append(replace(_marked(at, said, value, asked[match[1]]), position=begin))
         if made[-1].mark is Mark.FOLLOWS:
             right.add(match[1])
     left = [x for x in asked.values() if x.name not in right]

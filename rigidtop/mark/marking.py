@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from rigidtop.proof.exercise import Rubric
+
 
 class Mark(StrEnum):
     """What becomes of a line."""
@@ -37,6 +39,8 @@ class Marked:
     right: str = ""
     behind: int = 0
     """The wrong line that it follows from, if it does."""
+    position: int = -1
+    """Where in the text it begins."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +48,7 @@ class Marking:
     """A derivation, marked.
 
     `lost` are branches that a right line leaves out; `way` says what the pages have and it has not.
+    Without a `rubric` each line is a point.
     """
 
     lines: tuple[Marked, ...]
@@ -52,13 +57,21 @@ class Marking:
     lost: tuple[str, ...] = ()
     problem: str = ""
     way: str = ""
+    rubric: Rubric | None = None
 
     @property
     def first_wrong(self) -> Marked | None:
         return next((line for line in self.lines if line.mark is Mark.WRONG), None)
 
     @property
-    def points(self) -> tuple[int, int]:
+    def points(self) -> tuple[float, float]:
+        """The points, and how many there are."""
+        if self.rubric is None:
+            return self.right
+        return self.rubric.points(*self.right, self.arrives), self.rubric.total
+
+    @property
+    def right(self) -> tuple[int, int]:
         """How many lines are right, those right behind a wrong one among them, of how many."""
         right = [line.mark in _SOUND or bool(line.behind) for line in self.lines]
         return sum(right), len(right)
@@ -73,7 +86,7 @@ class Marking:
         """One line for the whole."""
         wrong = self.first_wrong
         if wrong is not None:
-            points = "{} of {}".format(*self.points)
+            points = "{} of {}".format(*self.right)
             behind = [str(line.line) for line in self.lines if line.behind]
             lines = f"line{'s' * (len(behind) > 1)} {', '.join(behind)}"
             right = f"; {lines} right from there" if behind else ""

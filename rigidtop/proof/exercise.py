@@ -22,6 +22,7 @@ numbers are found.  The solution in symbols are claims, judged like those of the
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -57,6 +58,46 @@ class Table:
             raise ValueError(f"table {self.name}: not every row has {len(self.columns)} cells")
 
 
+@dataclass(frozen=True)
+class Rubric:
+    """Points for an answer.
+
+    A derivation has `line` points for each of `lines` right lines, and those of the `goal` where it
+    arrives.  Of a longer one each line counts for less, so that nobody gains by padding; a wrong
+    line costs once, and not again in those that follow from it.  Of an answer in numbers each has
+    as many points as a `number`.
+    """
+
+    line: float = 1.0
+    lines: int = 3
+    goal: float = 3.0
+    number: float = 1.0
+
+    def __post_init__(self) -> None:
+        points = self.line, self.goal, self.number
+        if self.lines < 1 or not all(0 <= x < math.inf for x in points) or not self.total:
+            raise ValueError("a rubric has points of 0 or more, not all 0, for one line or more")
+
+    @property
+    def total(self) -> float:
+        return _short(self.line * self.lines + self.goal)
+
+    def points(self, right: int, of: int, arrives: bool) -> float:
+        """Those of an answer with so many right lines of all that it has."""
+        return _short(
+            self.line * self.lines * right / max(of, self.lines) + self.goal * bool(arrives)
+        )
+
+    def of_numbers(self, count: int) -> Rubric:
+        """The rubric of an answer in as many numbers as are asked."""
+        return Rubric(self.number, count, 0.0, self.number)
+
+
+def _short(points: float) -> float:
+    """Points to two decimals, whole ones as an integer."""
+    return int(points) if points == int(points) else round(points, 2)
+
+
 Outcome = Answer | Table | Measure
 Solve = Callable[..., Iterable[Outcome]]
 
@@ -68,7 +109,8 @@ class Exercise:
     `asks` is where they do ("example 34"), `statement` the question in our own words, paragraphs
     separated by blank lines.  `figure` is the name of a figure; it is drawn with those parameters
     of the exercise that it has too.  `text` is the name of its solution in words and lines, a file
-    in Markdown behind those of the pages; `method` says how the numbers are found.
+    in Markdown behind those of the pages; `method` says how the numbers are found.  Without a `rubric`
+    each line of an answer is a point.
     """
 
     name: str
@@ -82,6 +124,7 @@ class Exercise:
     figure: str = ""
     text: str = ""
     method: str = ""
+    rubric: Rubric | None = None
 
 
 def exercise(name: str, title: str, **given: Any) -> Callable[[Solve], Exercise]:
