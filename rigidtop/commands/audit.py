@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from rigidtop.commands.notes import Notes
     from rigidtop.mark.numbered import Copy
     from rigidtop.read.macros import Macros
-    from rigidtop.read.walk import Formula
-    from rigidtop.report.annotated import Formula as Shown
     from rigidtop.report.annotated import Mark
 
 ABOUT = "audit notes in Markdown, LaTeX or a notebook: anyone's, in any letters"
@@ -124,13 +122,14 @@ def _audits(paths: Sequence[Path], output: Path | None, collection: Collection) 
 
 def _page(notes: Notes) -> str:
     """The notes with verdicts beside their formulas, as HTML."""
+    from rigidtop.commands.annotation import others
     from rigidtop.commands.findings import summary
     from rigidtop.report.annotated import write
 
     source, findings, macros = notes.source.text, notes.findings, notes.macros
     marks = [*_of_claims(source, notes.copies, macros), *_wrong(source, findings, macros)]
     beside = [f"{x.title}: {x.verdict}: {_why(x)}" for x in findings if _is_beside(x)]
-    formulas = _others(source, marks, macros)
+    formulas = others(source, marks, macros)
     return write(notes.source.path.name, source, formulas, marks, summary(findings), beside)
 
 
@@ -215,31 +214,32 @@ def _few(names: Sequence[str], most: int = MOST_OPEN) -> str:
 
 # --- The annotated page --------------------------------------------------------------------------
 
-_OPENING = re.compile(r"(?:\$\$|\$|\\\(|\\\[|\\begin\{\w+\*?\})$")
-
 
 def _of_claims(source: str, audited: Sequence[Copy], macros: Macros) -> Iterator[Mark]:
     """The numbered equations of the collection."""
+    from rigidtop.commands.annotation import framed
     from rigidtop.report.annotated import Mark
 
     for each in audited:
         formulas = each.group.formulas
+        shown = tuple(framed(formula, macros) for formula in formulas)
         end = formulas[-1].end
         behind = re.compile(rf"\s*\(\s*{re.escape(each.number)}\s*\)").match(source, end)
         yield Mark(
-            start=_opening(source, formulas[0]),
+            start=shown[0].start,
             end=behind.end() if behind else end,
             number=each.number,
             line=each.lines[0].row.line,
             verdict=each.verdict,
             passed=each.passed,
             note=f"{each.note}; right: {each.right}" if each.right else each.note,
-            formulas=tuple(_framed(source, formula, macros) for formula in formulas),
+            formulas=shown,
         )
 
 
 def _wrong(source: str, findings: Sequence[Finding], macros: Macros) -> Iterator[Mark]:
     """The formulas of the file itself of which something is wrong."""
+    from rigidtop.commands.annotation import framed
     from rigidtop.read.document import formulas
     from rigidtop.report.annotated import Mark
 
@@ -247,7 +247,7 @@ def _wrong(source: str, findings: Sequence[Finding], macros: Macros) -> Iterator
         wrong = [x for x in findings if x.is_wrong and x.formula == formula.start]
         if wrong:
             first = wrong[0]
-            drawn = _framed(source, formula, macros)
+            drawn = framed(formula, macros)
             yield Mark(
                 start=drawn.start,
                 end=formula.end,
@@ -269,38 +269,3 @@ def _is_beside(each: Finding) -> bool:
     from rigidtop.commands.findings import Of
 
     return each.of is Of.PLACE or (each.of is Of.FILE and each.is_wrong and each.formula < 0)
-
-
-def _others(source: str, marks: Sequence[Mark], macros: Macros) -> list[Shown]:
-    """The formulas of the text without a mark."""
-    from rigidtop.read.document import formulas
-
-    spans = [(mark.start, mark.end) for mark in marks]
-    return [
-        _shown(source, each, macros, each.text, each.display)
-        for each in formulas(source)
-        if not any(start <= each.start < end for start, end in spans)
-    ]
-
-
-def _opening(source: str, formula: Formula) -> int:
-    """Where the dollars, or the like, before a formula begin."""
-    first = max(0, formula.start - 24)
-    opening = _OPENING.search(source[first : formula.start])
-    return first + opening.start() if opening else formula.start
-
-
-def _framed(source: str, formula: Formula, macros: Macros) -> Shown:
-    """A formula with a verdict, in a frame of its own; its number stands beside it there."""
-    from rigidtop.read.left import TAG
-
-    return _shown(source, formula, macros, re.sub(TAG, "", formula.text), display=True)
-
-
-def _shown(source: str, formula: Formula, macros: Macros, text: str, display: bool) -> Shown:
-    """A formula of the text, sign by sign as it is written."""
-    from rigidtop.report.annotated import Formula as Shown
-    from rigidtop.report.transcript import transcript
-
-    signs = transcript(text.strip(), macros, display)
-    return Shown(_opening(source, formula), formula.end, text.strip(), display, signs)

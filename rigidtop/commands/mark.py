@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import argparse
-import csv
 import sys
-from collections import Counter
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -39,6 +37,7 @@ marked.
 
 examples:
   rigidtop mark answer.tex --from 3.53 --to 3.57
+  rigidtop mark answers/ --exercise fast-spin-roots -o marked/
   rigidtop mark answer.tex --given own.tex --to 'm\\ddot x = -kx'"""
 
 COLORS = {
@@ -89,6 +88,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="settings of the exercise, such as theta=30deg",
     )
     parser.add_argument(
+        "-o",
+        "--output",
+        metavar="PATH",
+        help="write the answer with its marks as a page; of a folder of answers a page for each, "
+        "and index.html with all marks and the commonest slips, into the folder PATH",
+    )
+    parser.add_argument(
         "--seconds", type=number, default=20.0, help="time for a line (default: %(default)g)"
     )
 
@@ -106,6 +112,7 @@ def run(options: argparse.Namespace) -> int:
     if not 0 < options.seconds <= 3600:
         raise RigidtopError(f"--seconds must be between 0 and 3600, not {options.seconds:g}")
     *folders, file = options.file
+    output = Path(options.output) if options.output else None
     if len(folders) > 1:
         raise RigidtopError(f"one answer at a time: {len(options.file)} names are too many")
     if is_collection(Path(file)):
@@ -119,7 +126,12 @@ def run(options: argparse.Namespace) -> int:
         subject = subject_of(collection) if folders else None
         judge = partial(_marked, options, collection, subject)
         if file != "-" and Path(file).is_dir():
-            return _class(Path(file), judge)
+            from rigidtop.commands.classroom import write_class
+
+            def marked(name: str, source: str) -> Marking:
+                return _with_lines(name, judge(source))[-1]
+
+            return 0 if write_class(Path(file), marked, output) else FAILED
         return _one(file, options, judge)
 
 
@@ -127,6 +139,14 @@ def _one(file: str, options: argparse.Namespace, judge: Judge) -> int:
     """Mark one answer and print."""
     source = _typed() if file == "-" else text_of(file)
     start, goal, found = _with_lines(file, judge(source))
+    if options.output:
+        from rigidtop.commands.annotation import marked_page
+        from rigidtop.terminal.files import write_whole
+
+        page = Path(options.output)
+        if page.exists() and Path(file).exists() and page.samefile(file):
+            raise RigidtopError(f"{page} is the answer that is marked: write the page elsewhere")
+        write_whole(page, marked_page(Path(file).name, source, found).encode())
     if options.json:
         print_json({"from": start, "to": goal, **found.record})
     else:
@@ -170,47 +190,6 @@ def _marked(
     start, goal = options.start, options.goal
     asked = task(start, goal, subject)
     return start, goal, mark(source, asked, *limits)
-
-
-COLUMNS = ("file", "points", "of", "passed", "wrong line", "slips", "summary")
-
-
-def _class(folder: Path, judge: Judge) -> int:
-    """A row of CSV for each answer of a folder; below it, on stderr, the commonest slips.
-
-    0 if each could be marked.
-    """
-    files = sorted(path for path in folder.iterdir() if path.suffix in (".tex", ".md"))
-    if not files:
-        raise RigidtopError(f"{folder}: no answers in it, .tex or .md")
-    writer = csv.writer(sys.stdout, lineterminator="\n")
-    writer.writerow(COLUMNS)
-    kinds: Counter[str] = Counter()
-    unmarked = 0
-    for path in files:
-        try:
-            *_, found = _with_lines(path.name, judge(text_of(path)))
-        except RigidtopError as error:
-            writer.writerow([_cell(path.name), 0, 0, False, "", "", _cell(str(error))])
-            unmarked += 1
-            continue
-        slips = dict.fromkeys(line.slip for line in found.lines if line.slip)
-        kinds.update(slips.keys())
-        wrong = found.first_wrong
-        words = _cell("; ".join(slips))
-        line = wrong.line if wrong is not None else ""
-        summary = _cell(found.summary)
-        row = [_cell(path.name), *found.points, found.passed, line, words, summary]
-        writer.writerow(row)
-    told = ", ".join(f"{kind} ({count})" for kind, count in kinds.most_common())
-    count = f"{len(files)} answers{f', {unmarked} of them not marked' * bool(unmarked)}"
-    print(f"{count}; slips: {told or 'none that is named'}", file=sys.stderr)
-    return FAILED if unmarked else 0
-
-
-def _cell(said: str) -> str:
-    """Text that a spreadsheet does not take for a formula."""
-    return f"'{said}" if said[:1] in ("=", "+", "-", "@", "\t", "\r") else said
 
 
 def _print(found: Marking) -> None:

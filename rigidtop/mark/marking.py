@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -20,7 +21,7 @@ class Mark(StrEnum):
     UNREAD = "unread"
 
 
-_SOUND = (Mark.FOLLOWS, Mark.DEFINITION, Mark.ASSUMPTION)
+SOUND = (Mark.FOLLOWS, Mark.DEFINITION, Mark.ASSUMPTION)
 _UNSURE = {Mark.INCONCLUSIVE: "neither shown nor refuted", Mark.UNREAD: "not read"}
 
 
@@ -73,13 +74,13 @@ class Marking:
     @property
     def right(self) -> tuple[int, int]:
         """How many lines are right, those right behind a wrong one among them, of how many."""
-        right = [line.mark in _SOUND or bool(line.behind) for line in self.lines]
+        right = [line.mark in SOUND or bool(line.behind) for line in self.lines]
         return sum(right), len(right)
 
     @property
     def passed(self) -> bool:
         """Every line was read and follows, and the goal is reached."""
-        return self.arrives and all(line.mark in _SOUND for line in self.lines)
+        return self.arrives and all(line.mark in SOUND for line in self.lines)
 
     @property
     def summary(self) -> str:
@@ -124,3 +125,27 @@ class Marking:
         points = dict(zip(("points", "of"), self.points, strict=True))
         found = {"arrives": self.arrives, "lost": [*self.lost], "passed": self.passed}
         return {"lines": lines, **points, **found, "summary": self.summary}
+
+
+# --- Kinds of slips ------------------------------------------------------------------------------
+
+_KINDS = (
+    (r"\bsign\b", "a sign"),
+    (r"\bunit$|degrees for radians", "a unit"),
+    (r"exchanged|turned over", "two things exchanged"),
+    (r"\bdots? on|rate of", "a dot"),
+    (r"squared$|\broot\b|power of|[²³⁴].* in place of|in place of .*[²³⁴]", "a power or a root"),
+    (r"\b(?:sin|cos|tan|cot|sinh|cosh)\b.* in place of", "a function or its argument"),
+    (r"factor|times|^\S*\d\S* in place of|^[½⅓⅔¼]", "a number or a factor"),
+    (r"^no |, too$", "a term too many or too few"),
+    (r"in place of", "a letter"),
+)
+
+
+def kind(slip: str) -> str:
+    """What kind of slip it is, in words that do not say where.
+
+    >>> kind("another sign before λ₃ ω₃ Ω"), kind("2 times M g R"), kind("ψ in place of φ")
+    ('a sign', 'a number or a factor', 'a letter')
+    """
+    return next((name for pattern, name in _KINDS if re.search(pattern, slip)), "another slip")

@@ -109,8 +109,8 @@ class Exercise:
     `asks` is where they do ("example 34"), `statement` the question in our own words, paragraphs
     separated by blank lines.  `figure` is the name of a figure; it is drawn with those parameters
     of the exercise that it has too.  `text` is the name of its solution in words and lines, a file
-    in Markdown behind those of the pages; `method` says how the numbers are found.  Without a `rubric`
-    each line of an answer is a point.
+    in Markdown behind those of the pages; `method` says how the numbers are found.  Without a
+    `rubric` each line of an answer is a point.
     """
 
     name: str

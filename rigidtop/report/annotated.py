@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from html import escape
 
 from rigidtop.proof.verdict import Verdict
+from rigidtop.report.blocks import MARKS
 from rigidtop.report.html import badge, page, prose_html
 from rigidtop.terminal.visible import visible
 from rigidtop.typeset import mathml
@@ -48,6 +49,11 @@ class Mark:
     formulas: tuple[Formula, ...]
 
 
+_COLOPHON = """Each numbered equation with the verdict of the collection of
+derivations; of other formulas what is wrong is marked, and the rest is
+counted. All are set sign by sign, as they are written."""
+
+
 def write(
     title: str,
     source: str,
@@ -55,11 +61,13 @@ def write(
     marks: Sequence[Mark],
     summary: str,
     others: Sequence[str] = (),
+    done: str = "audited",
+    colophon: str = _COLOPHON,
 ) -> str:
     """The page.
 
     `formulas` are those without a mark; `summary` is one sentence about all; `others` are findings
-    without a number.
+    without a number.  `done` says what has been done to the text, and `colophon` what is marked.
     """
     inside = {**{f.start: (f.end, _inline(f)) for f in formulas}}
     framed = {mark.start: (mark.end, _framed(mark, n)) for n, mark in enumerate(marks)}
@@ -75,19 +83,17 @@ def write(
     listed = f'\n<ul class="findings">\n{findings}\n</ul>' if items else ""
     whole = f"""<main class="page">
 <header class="summary">
-<h1>{escape(_clean(title))}, audited</h1>
+<h1>{escape(_clean(title))}, {done}</h1>
 <p>{escape(_clean(summary))}</p>{listed}
 </header>
 <div class="notes" id="content">
 {text}
 </div>
-<footer class="colophon"><p>Each numbered equation with the verdict of the collection of
-derivations; of other formulas what is wrong is marked, and the rest is
-counted. All are set sign by sign, as they are written.</p></footer>
+<footer class="colophon"><p>{colophon}</p></footer>
 </main>
 """
     styles = ("page.css", "print.css", "annotated.css")
-    return page(f"{_clean(title)}, audited", styles, whole, what="notes")
+    return page(f"{_clean(title)}, {done}", styles, whole, what="notes")
 
 
 # --- Equations -----------------------------------------------------------------------------------
@@ -114,9 +120,18 @@ def _badge(verdict: str) -> str:
     """The badge of a verdict, or of what stands in place of one."""
     if verdict in list(Verdict):
         return badge(Verdict(verdict))
-    return (
-        f'<span class="badge undecided"><span aria-hidden="true">? </span>{escape(verdict)}</span>'
-    )
+    alike = _ALIKE.get(verdict, Verdict.UNDECIDED)
+    sign = f'<span aria-hidden="true">{MARKS[alike]} </span>'
+    return f'<span class="badge {alike}">{sign}{escape(verdict)}</span>'
+
+
+_ALIKE = {
+    "follows": Verdict.PROVED,
+    "assumption": Verdict.DEFINITION,
+    "wrong": Verdict.FALSE,
+    "carried": Verdict.ASSUMING,
+}
+"""The marks of an answer, with the verdicts that look like them."""
 
 
 def _framed(mark: Mark, n: int) -> str:
