@@ -30,7 +30,8 @@ deg; rates are rad/s, or turns a minute with the suffix rpm.
 examples:
   rigidtop exercise toppling-top --set theta=30deg
   rigidtop exercise toppling-top --student
-  rigidtop exercise --sheet out --student --pdf   # all, without solutions"""
+  rigidtop exercise --sheet out --student --pdf   # all, without solutions
+  rigidtop exercise fast-spin-roots --format nbgrader --points 6 --sheet out"""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -44,6 +45,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--sheet", metavar="DIR", help="write exercises.tex, exercises.html and figures there"
     )
     parser.add_argument("--pdf", action="store_true", help="with --sheet, also a PDF")
+    parser.add_argument(
+        "--format",
+        choices=("nbgrader", "otter", "moodle"),
+        help="with --sheet DIR: write there a notebook with points for nbgrader or Otter, or "
+        "questions for Moodle, instead",
+    )
     add_look(parser)
     add_notation(parser)
 
@@ -54,6 +61,8 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError("--pdf goes with --sheet DIR")
     if options.points is not None and not options.sheet:
         raise RigidtopError("--points goes with --sheet DIR")
+    if options.format and (not options.sheet or options.pdf or options.json):
+        raise RigidtopError(f"--format {options.format} goes with --sheet DIR alone")
     if options.json and options.student:
         raise RigidtopError("--json gives the solutions: leave --student out")
     from rigidtop.collection import is_folder, opened
@@ -71,6 +80,8 @@ def _run(collection: Collection, names: Sequence[str], options: argparse.Namespa
         raise RigidtopError("--set wants one exercise: rigidtop exercise NAME --set name=value")
     if not names and not options.sheet:
         return _list(collection, options.json)
+    if options.format:
+        return _graded(collection, names, options)
     if options.student:
         return _questions(collection, names, options, notation)
     from rigidtop.report.solutions import solved
@@ -91,6 +102,16 @@ def _run(collection: Collection, names: Sequence[str], options: argparse.Namespa
 
         print("\n\n".join(exercise_fragment(each, notation) for each in solutions), end="")
     return 0 if all(solution.passed for solution in solutions) else FAILED
+
+
+def _graded(collection: Collection, names: Sequence[str], options: argparse.Namespace) -> int:
+    """Write the exercises for what collects points."""
+    from rigidtop.commands.graders import asked, write
+
+    points_of(options)  # which says what is wrong with them
+    exercises = asked(collection, chosen(collection, names), options.set, options.points)
+    print("\n".join(map(str, write(exercises, options.format, options.sheet))))
+    return 0
 
 
 def chosen(collection: Collection, names: Sequence[str]) -> list[Exercise]:

@@ -82,7 +82,7 @@ def answered(
         found = _numeric(source, exercise.name, asked)
         rubric = exercise.rubric and exercise.rubric.of_numbers(len(asked))
         return "", "", replace(found, rubric=rubric)
-    ends_here = ends(name) if subject is None else _ends_of(exercise, subject)
+    ends_here = ends(name) if subject is None else ends_of(exercise, subject)
     found = mark(source, task(*ends_here, subject), a_line, altogether)
     return (*ends_here, replace(found, rubric=exercise.rubric))
 
@@ -113,15 +113,16 @@ def ends(name: str) -> tuple[str, str]:
     >>> ends("fast-spin-roots")
     ('3.57', 'two-roots')
     """
-    return _ends_of(_named(name), top())
+    return ends_of(_named(name), top())
 
 
-def _ends_of(exercise: Exercise, subject: Subject) -> tuple[str, str]:
+def ends_of(exercise: Exercise, subject: Subject) -> tuple[str, str]:
+    """The same of an exercise of a collection of one's own."""
     found = _ends([claim.name for claim in exercise.claims], subject)
     if found is None:
         raise RigidtopError(
             f"of {exercise.name} no derivation is marked, but its numbers are, a line each: "
-            f"{_listed(numbers(exercise).values())}"
+            f"{listed(numbers(exercise).values())}"
         )
     return found
 
@@ -140,7 +141,8 @@ def _ends(goals: Iterable[str], subject: Subject) -> tuple[str, str] | None:
     return None
 
 
-def _listed(asked: Iterable[Answer]) -> str:
+def listed(asked: Iterable[Answer]) -> str:
+    """What numbers are asked for, as an answer has them."""
     shown = (f"{x.name} = …{f' {x.unit}' * (x.unit != '1')}" for x in asked)
     return ", ".join(shown)
 
@@ -165,7 +167,7 @@ def _numeric(source: str, name: str, asked: Mapping[str, Answer]) -> Marking:
         value = match[2].strip(" \t.,;")
         said = f"{match[1]} = {value}"
         if match[1] not in asked:
-            reason = f"{name} asks for no {match[1]}, but for {_listed(asked.values())}"
+            reason = f"{name} asks for no {match[1]}, but for {listed(asked.values())}"
             made.append(Marked(at, said, Mark.UNREAD, reason, position=begin))
             continue
         made.append(replace(_marked(at, said, value, asked[match[1]]), position=begin))
@@ -173,7 +175,7 @@ def _numeric(source: str, name: str, asked: Mapping[str, Answer]) -> Marking:
             right.add(match[1])
     left = [x for x in asked.values() if x.name not in right]
     if left:
-        told = f"{len(right)} of {len(asked)} numbers are right; asked are also {_listed(left)}"
+        told = f"{len(right)} of {len(asked)} numbers are right; asked are also {listed(left)}"
     else:
         told = f"all {len(asked)} numbers are right"
     return Marking(tuple(made), not left, name, problem=told)
