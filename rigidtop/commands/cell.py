@@ -13,7 +13,6 @@ A folder with a collection of one's own may stand first in the line of either.
 
 from __future__ import annotations
 
-import shlex
 from collections import Counter
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -77,7 +76,7 @@ class Audited:
 
 def audit(line: str, cell: str) -> Audited:
     """What an audit finds in a cell.  Raises RigidtopError where no formula says anything."""
-    folders = shlex.split(line)
+    folders = line.split()
     if len(folders) > 1 or not all(map(is_folder, folders)):
         raise RigidtopError("%%audit, or %%audit FOLDER/ with a collection of one's own")
     with opened(folders) as (collection, _):
@@ -128,7 +127,7 @@ def load_ipython_extension(shell: Any) -> None:
     def magic(line: str, cell: str) -> Audited | None:
         try:
             return audit(line, cell)
-        except (RigidtopError, ValueError) as error:
+        except RigidtopError as error:
             print(error)
             return None
 

@@ -98,8 +98,8 @@ def nbgrader(exercises: Sequence[Asked]) -> dict[str, str]:
 
 def otter(exercises: Sequence[Asked]) -> dict[str, str]:
     """A notebook, and beside it a test for each exercise, a case of it for each point."""
-    head = 'import otter\n\ngrader = otter.Notebook("exercises.ipynb")\n%load_ext rigidtop'
-    cells = [_cell("code", head)]
+    head = 'import otter\n\ngrader = otter.Notebook("exercises.ipynb")'
+    cells = [_cell("code", "%load_ext rigidtop"), _cell("code", head)]
     tests = {}
     for k, each in enumerate(exercises, 1):
         cells += [

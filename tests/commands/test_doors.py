@@ -1,13 +1,17 @@
 """What an audit finds, told to code hosts, editors and test runners, and told again on saving."""
 
+import csv
 import json
+import re
 import threading
 import time
 from xml.etree import ElementTree
 
 import pytest
 
+import rigidtop
 from rigidtop.cli import main
+from rigidtop.commands.cell import RECORD, answer
 from rigidtop.commands.watch import saved
 
 BOB = r"""A bob has the Lagrangian
@@ -59,6 +63,60 @@ def test_a_test_case_for_each_formula(bob, capsys):
     assert (suite.get("tests"), suite.get("failures"), suite.get("skipped")) == ("3", "1", "2")
     [failed] = [case.get("name") for case in suite if case.find("failure") is not None]
     assert failed == "line 7"
+
+
+def test_a_cell_says_what_the_command_says(bob, capsys):
+    """The same record through ``%%audit``, and the wrong line with its right one in place."""
+    assert main(["audit", bob, "--json"]) == 1
+    records = json.loads(capsys.readouterr().out)
+    magics = {}
+
+    class Shell:
+        def register_magic_function(self, function, kind, name):
+            magics[kind, name] = function
+
+    rigidtop.load_ipython_extension(Shell())
+    assert set(magics) == {("cell", "audit"), ("cell", "answer")}
+    shown = magics["cell", "audit"]("", BOB)._repr_mimebundle_()
+    assert shown[RECORD] == records
+    assert (
+        "| 7 | l θ̈ = g sin θ | **false** | it holds with another sign | l θ̈ = −g sin θ |"
+        in shown["text/markdown"]
+    )
+    assert shown["text/plain"].startswith("line 7 is wrong: it holds with another sign\nwritten: ")
+    for line, cell, said in (
+        ("", "No formulas.", "the cell: no formulas between dollars"),
+        ("nothing", BOB, "%%audit, or %%audit FOLDER/"),
+        ('"', BOB, "%%audit, or %%audit FOLDER/"),
+        ("nowhere/", BOB, "no folder 'nowhere'"),
+    ):
+        assert magics["cell", "audit"](line, cell) is None
+        assert said in capsys.readouterr().out
+
+
+ANSWER = r"""$$\dot\theta = 0$$
+
+$$\lambda_1\cos\theta\,\Omega^2 + \lambda_3\omega_3\Omega + MgR = 0$$"""
+
+
+def test_an_answer_is_marked_alike_through_every_door(tmp_path, capsys):
+    """By the command, for a class, on a page and in a cell."""
+    asked = ["--from", "3.54", "--to", "3.57"]
+    (tmp_path / "ann.md").write_text(ANSWER, "utf-8")
+    assert main(["mark", str(tmp_path / "ann.md"), *asked, "--json"]) == 1
+    record = json.loads(capsys.readouterr().out)
+    assert main(["mark", str(tmp_path), *asked, "-o", str(tmp_path / "out")]) == 0
+    [row] = csv.DictReader(capsys.readouterr().out.splitlines())
+    assert (row["points"], row["of"]) == (str(record["points"]), str(record["of"])) == ("1", "2")
+    assert row["summary"] == record["summary"]
+    [slip] = record["lines"][1]["slips"]
+    assert row["slips"] == slip["words"]
+    cell = answer("3.54 3.57", ANSWER).record
+    assert {key: cell[key] for key in record} == record
+    page = (tmp_path / "out" / "ann.html").read_text("utf-8")
+    badges = re.findall(r'<span class="side">.*?</span>([a-z]+)</span>', page)
+    assert badges == [line["verdict"] for line in record["lines"]]
+    assert record["summary"] in page
 
 
 def test_several_files_are_told_one_by_one(bob, tmp_path, capsys):

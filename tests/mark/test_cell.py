@@ -1,6 +1,7 @@
 """An answer in a cell: the student sees its marks, the teacher has the record."""
 
 import json
+from collections import Counter
 
 import pytest
 
@@ -51,3 +52,54 @@ def test_a_bad_line_is_told_in_words(line, said, capsys):
     load_ipython_extension(Shell())
     assert magics["cell", "answer"](line, "no formula") is None
     assert said in capsys.readouterr().out
+
+
+HINTS = {
+    "1": "look at this line again",
+    "2": "look for a sign",
+    "3": "it holds with another sign before λ₃ ω₃ Ω; right: $",
+}
+
+
+def test_a_hint_says_no_more_than_its_level():
+    more = WRONG + r" $$\Omega = 7$$"
+    for level, said in HINTS.items():
+        found = answer(f"3.54 3.57 --hint {level}", more)
+        shown = found._repr_mimebundle_()
+        assert [line.mark.value for line in found.lines] == ["follows", "wrong"]  # none behind it
+        assert said in shown["text/markdown"]
+        for other in {*HINTS.values()} - {said}:
+            assert other not in shown["text/plain"]
+        hidden = json.dumps(shown, ensure_ascii=False)
+        assert ("another sign" in hidden) is (level == "3")  # nor in the record
+        assert shown[RECORD]["points"] == found.marking.points[0]
+    right = answer("3.54 3.57 --hint 1", r"$$\dot\theta = 0$$")
+    assert "for θ constant" in repr(right)
+
+
+def test_hints_go_on_with_each_try():
+    tries = Counter()
+    levels = [answer("3.54 3.57 --hint tries", WRONG, tries).hint for _ in range(4)]
+    assert levels == [1, 2, 3, 3]
+    assert answer("3.53 3.54 --hint tries", WRONG, tries).hint == 1  # another question
+
+
+def test_an_answer_has_a_name_for_a_test():
+    magics, names = {}, {}
+
+    class Shell:
+        def register_magic_function(self, function, kind, name):
+            magics[kind, name] = function
+
+        def push(self, more):
+            names.update(more)
+
+    load_ipython_extension(Shell())
+    magics["cell", "answer"]("3.54 3.57 --as mine", WRONG)
+    assert names["mine"].source == WRONG
+    for line, said in (
+        ("3.54 3.57 --as 1x", "--as wants a name"),
+        ("3.54 3.57 --hint 4", "--hint"),
+    ):
+        with pytest.raises(RigidtopError, match=said):
+            answer(line, WRONG)
