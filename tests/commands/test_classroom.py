@@ -172,3 +172,14 @@ def test_a_rubric_counts_an_error_once():
 )
 def test_the_kind_of_a_slip(slip, said):
     assert kind(slip) == said
+
+
+def test_a_display_has_the_worst_mark_of_its_lines(tmp_path, capsys):
+    text = r"\begin{align}\ddot\theta &= \dot\theta = 0\\ " + "\n"
+    text += r"\lambda_1\Omega^2\cos\theta + \lambda_3\omega_3\Omega + MgR &= 0\end{align}"
+    (tmp_path / "answer.tex").write_text(text, "utf-8")
+    page = tmp_path / "page.html"
+    assert main(["mark", str(tmp_path / "answer.tex"), *ASKED, "-o", str(page)]) == 1
+    assert page.read_text("utf-8").count('class="audited amiss"') == 1
+    assert "line 2: it holds with another sign before λ₃ ω₃ Ω" in words(page.read_text("utf-8"))
+    assert "✗ </span>wrong" in page.read_text("utf-8")

@@ -113,16 +113,16 @@ def test_bad_input_is_one_line_and_nothing_is_written(arguments, complaint, tmp_
 # --- The real tools ------------------------------------------------------------------------------
 
 
-def tool(name):
+def tool(name, package):
     """A program of a grader, if it is installed."""
     path = shutil.which(name)
     if path is None:
-        pytest.skip(f"{name} is not installed, which is no dependency: pip install {name}")
+        pytest.skip(f"{name} is not installed, which is no dependency: pip install {package}")
     return path
 
 
 def test_nbgrader_collects_the_points(tmp_path):
-    nbgrader = tool("nbgrader")
+    nbgrader = tool("nbgrader", "nbgrader")
     source = written("nbgrader", tmp_path / "source" / "sheet", "--points", "5")
     notebook = json.loads((source / "exercises.ipynb").read_text("utf-8"))
 
@@ -147,11 +147,12 @@ def test_nbgrader_collects_the_points(tmp_path):
 
 
 def test_otter_collects_the_points(tmp_path):
-    otter = tool("otter")
+    otter = tool("otter", "otter-grader")
     written("otter", tmp_path, "--points", "5")
     notebook = tmp_path / "exercises.ipynb"
     notebook.write_text(json.dumps(filled(json.loads(notebook.read_text("utf-8")), NUMBERS)))
     subprocess.run([otter, "generate", "-t", "tests"], cwd=tmp_path, check=True)
+    (tmp_path / "results").mkdir()
     run = [otter, "run", "-a", "autograder.zip", "-o", "results", "exercises.ipynb"]
     subprocess.run(run, cwd=tmp_path, check=True)
     results = json.loads((tmp_path / "results" / "results.json").read_text("utf-8"))
