@@ -4,21 +4,28 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rigidtop.commands.notes import NoFormulasError, Notes, audited
+from rigidtop.judge.context import Context
+from rigidtop.judge.outcome import UNDECIDED, Outcome
+from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import LATE
-from rigidtop.judge.text import Reading, Row, Step, reading, rows_of, steps
+from rigidtop.judge.text import Asked, Reading, Row, Step, reading, rows_of, steps
 from rigidtop.read.project import sources, whole
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
     from rigidtop.commands.findings import Finding
     from rigidtop.read.macros import Macros
+
+
+Refusal = Callable[[Asked, Reading], str]
+"""Why something that a text asks is not to be judged, "" if it is."""
 
 
 class OldTextError(Exception):
@@ -35,17 +42,22 @@ class History:
     read: Reading | None = None
     steps: list[Step] = field(default_factory=list)
 
-    def rows(
-        self, text: str, macros: Macros, until: float, is_old: Callable[[], bool]
-    ) -> tuple[Row, ...]:
-        """Each statement as it is judged; raises OldTextError once the text is an old one."""
+    def rows(self, text: str, macros: Macros, until: float, refusal: Refusal) -> tuple[Row, ...]:
+        """Each statement as it is judged, in order.
+
+        `refusal` is asked before each one, and may raise an error that ends it all.
+        """
         read = reading(text, macros, until)
         self.steps = [*self._kept(read)]
         self.read = read
-        for step in steps(read, until, self.steps[:]):
-            if is_old():
-                raise OldTextError
-            self.steps.append(step)
+        following = steps(read, until, self.steps)
+        for asked in read.asked[len(self.steps) :]:
+            why = refusal(asked, read)
+            if why:
+                self.steps.append(_refused(asked, why, read, self.steps))
+                following = steps(read, until, self.steps)
+            else:
+                self.steps.append(next(following))
         return rows_of(self.steps)
 
     def _kept(self, read: Reading) -> Iterator[Step]:
@@ -57,6 +69,14 @@ class History:
             if step.asked != asked or (step.row and step.row.outcome.why == LATE):
                 return
             yield step
+
+
+def _refused(asked: Asked, why: str, read: Reading, made: Sequence[Step]) -> Step:
+    """What is left open; behind it the same is known as before."""
+    row = Row(asked.line, asked.statement, Outcome(UNDECIDED, why), asked.passage, asked.number)
+    if made:
+        return replace(made[-1], asked=asked, row=row)
+    return Step(asked, row, Context(read.habits), None, Patience().seconds)
 
 
 @dataclass(frozen=True)
@@ -143,8 +163,18 @@ class Draft:
     ) -> Audit:
         """The newest text audited; raises OldTextError once it is not the newest any more."""
 
+        def refusal(asked: Asked, read: Reading) -> str:
+            if is_old():
+                raise OldTextError
+            return ""
+
+        return self.audit_but(text, collection, refusal)
+
+    def audit_but(self, text: str, collection: Collection, refusal: Refusal) -> Audit:
+        """A text audited but for what is refused."""
+
         def judge(text: str, macros: Macros, until: float) -> tuple[Row, ...]:
-            return self.history.rows(text, macros, until, is_old)
+            return self.history.rows(text, macros, until, refusal)
 
         files = sources(self.path, text)
         try:

@@ -74,7 +74,8 @@ def write(
     text = _text(source, inside, framed)
     items = [
         f'<li><a href="#{_anchor(mark, n)}">{_name(mark)}</a>'
-        f"{_badge(mark.verdict)} {f'line {mark.line}: ' * bool(mark.number)}{_said(mark.note)}</li>"
+        f"{verdict_badge(mark.verdict)} {f'line {mark.line}: ' * bool(mark.number)}"
+        f"{note_html(mark.note)}</li>"
         for n, mark in enumerate(marks)
         if not mark.passed or mark.verdict in (Verdict.CONVENTION, Verdict.FALSE)
     ]
@@ -108,16 +109,16 @@ def _name(mark: Mark) -> str:
     return f"({escape(_clean(mark.number))})" if mark.number else f"line {mark.line}"
 
 
-def _said(note: str) -> str:
-    """A note with its mathematics; what is in it of the file may be of any kind."""
+def note_html(note: str) -> str:
+    """A note with its mathematics as HTML; what is in it of the file may be of any kind."""
     try:
         return mathml.held(prose_html(_clean(note)))
     except ValueError:
         return escape(_clean(note))
 
 
-def _badge(verdict: str) -> str:
-    """The badge of a verdict, or of what stands in place of one."""
+def verdict_badge(verdict: str) -> str:
+    """The badge of a verdict, or of what stands in place of one, as HTML."""
     if verdict in list(Verdict):
         return badge(Verdict(verdict))
     alike = _ALIKE.get(verdict, Verdict.UNDECIDED)
@@ -138,11 +139,11 @@ def _framed(mark: Mark, n: int) -> str:
     """A marked equation: what it says, its number and verdict, and why."""
     shown = "".join(map(_block, mark.formulas))
     amiss = "" if mark.passed else " amiss"
-    why = f'<span class="why">{_said(mark.note)}</span>' if mark.note else ""
+    why = f'<span class="why">{note_html(mark.note)}</span>' if mark.note else ""
     return (
         f'<span class="audited{amiss}" id="{_anchor(mark, n)}"><span class="eq">{shown}</span>'
         f'<span class="side"><span class="tag">{_name(mark)}</span>'
-        f"{_badge(mark.verdict)}</span>{why}</span>"
+        f"{verdict_badge(mark.verdict)}</span>{why}</span>"
     )
 
 
