@@ -1,4 +1,4 @@
-"""``rigidtop web``: a live page, the derived equations running in a browser."""
+"""``rigidtop web``: pages that run in a browser, with a motion or with the judge."""
 
 from __future__ import annotations
 
@@ -16,11 +16,12 @@ from rigidtop.parameters import Parameter, settings
 if TYPE_CHECKING:
     from rigidtop.web.setup import Preset, Setup
 
-ABOUT = "write a live page that computes a motion in the browser, without a network"
+ABOUT = "write a page that computes a motion, or checks a derivation, in the browser"
 
 EPILOG = """\
-The page needs no network: open the file, or send it.  Its address records what is set,
-so it can be shared as a link.  It needs the extra web: pip install 'rigidtop[web]'
+heavy-top and free show a motion.  Such a page needs no network: open the file, or send
+it.  Its address records what is set, so it can be shared as a link.  It needs the extra
+web: pip install 'rigidtop[web]'
 
 --preset is what the page shows first, --set changes a number of that:
   heavy-top: slow, fast, waves, cusps, loops, sleeping, waking, toppling
@@ -31,26 +32,35 @@ so it can be shared as a link.  It needs the extra web: pip install 'rigidtop[we
 Angles are radians, or degrees with the suffix deg; rates rad/s, or turns a minute with
 the suffix rpm.
 
+check is a sheet for a text with formulas, which are judged as `rigidtop audit` does, in
+the browser: no text leaves the computer.  It wants Pyodide in the folder pyodide beside
+it, or at another ADDRESS, and says how to get it.
+
 examples:
   rigidtop web heavy-top -o top.html
   rigidtop web heavy-top --preset loops --set theta=45deg omega3=20 -o my.html
-  rigidtop web free --preset toutatis -o toutatis.html"""
+  rigidtop web free --preset toutatis -o toutatis.html
+  rigidtop web check -o check.html"""
 
 KINDS = ("heavy-top", "free")
+CHECK = "check"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command to its parser."""
-    parser.add_argument("kind", nargs="?", metavar="PAGE", help="heavy-top or free")
+    parser.add_argument("kind", nargs="?", metavar="PAGE", help="heavy-top, free or check")
     parser.add_argument(
-        "-o", "--output", metavar="FILE", help="the page (default: heavy-top.html, free.html)"
+        "-o", "--output", metavar="FILE", help="the page (default: its name, heavy-top.html)"
     )
     parser.add_argument("--preset", metavar="NAME", help="what it shows first")
+    parser.add_argument(
+        "--pyodide", metavar="ADDRESS", help="of check: where Pyodide is (default: pyodide/)"
+    )
     add_settings(parser, "change numbers in it, such as theta=45deg")
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the live page; the exit code is 0."""
+    """Write the page; the exit code is 0."""
     from rigidtop.terminal.files import write_whole
     from rigidtop.web.page import page
     from rigidtop.web.presets import PRESETS
@@ -58,6 +68,10 @@ def run(options: argparse.Namespace) -> int:
     if options.output == "":
         raise RigidtopError("--output wants the name of a file")
     kind, given = _kind(options)
+    if kind == CHECK:
+        return _check(options, given)
+    if options.pyodide is not None:
+        raise RigidtopError(f"--pyodide is for the page check, not for {kind}")
     presets = PRESETS[kind]()
     first = _changed(_named(options.preset, presets), given)
     made = page(kind, first)
@@ -80,14 +94,36 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
+def _check(options: argparse.Namespace, given: list[str]) -> int:
+    """Write the page that checks a derivation."""
+    from rigidtop.commands.browser import SECONDS
+    from rigidtop.terminal.files import write_whole
+    from rigidtop.web.check import BASE, FETCH, TITLE, page
+
+    if given or options.preset is not None:
+        raise RigidtopError("the page check shows no motion: it has no --preset and no --set")
+    base = BASE if options.pyodide is None else options.pyodide
+    content = page(SECONDS, base).encode()
+    path = Path(options.output or f"{CHECK}.html")
+    write_whole(path, content)
+    if options.json:
+        print_json({"file": str(path), "bytes": len(content), "pyodide": base})
+        return 0
+    print(f"{path}\n{TITLE} ({len(content) / 1e6:.1f} MB)")
+    if options.pyodide is None:
+        print(f"beside it it wants Pyodide: {FETCH}\nthen serve the folder: python -m http.server")
+    return 0
+
+
 def _kind(options: argparse.Namespace) -> tuple[str, list[str]]:
     """Which page, and what is set in it; the page may stand behind --set."""
     kind, given = options.kind, options.set
     if kind is None:
         given, more = apart(given)
         kind = " ".join(more)
-    if kind not in KINDS:
-        raise RigidtopError(f"which page?  {' or '.join(KINDS)}" + f", not {kind!r}" * bool(kind))
+    if kind not in (*KINDS, CHECK):
+        names = f"{', '.join(KINDS)} or {CHECK}"
+        raise RigidtopError(f"which page?  {names}" + f", not {kind!r}" * bool(kind))
     return kind, given
 
 

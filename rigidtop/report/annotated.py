@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 
+from rigidtop.judge.outcome import PREMISE
 from rigidtop.proof.verdict import Verdict
 from rigidtop.report.blocks import MARKS
 from rigidtop.report.html import badge, page, prose_html
@@ -127,12 +128,13 @@ def verdict_badge(verdict: str) -> str:
 
 
 _ALIKE = {
+    PREMISE: Verdict.DEFINITION,
     "follows": Verdict.PROVED,
     "assumption": Verdict.DEFINITION,
     "wrong": Verdict.FALSE,
     "carried": Verdict.ASSUMING,
 }
-"""The marks of an answer, with the verdicts that look like them."""
+"""What is no verdict of a claim, with the verdict that looks like it."""
 
 
 def _framed(mark: Mark, n: int) -> str:

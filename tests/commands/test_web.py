@@ -67,8 +67,8 @@ def test_the_second_moment_follows_the_first(tmp_path, capsys):
         (("heavy-top", "--set", "omega3=fast"), "omega3 must be a number"),
         (("heavy-top", "--set", "R=30deg"), "R must be a number in m, such as 0.5, not '30deg'"),
         (("heavy-top", "--set", "theta=200deg"), "theta must be at most 3.14159 rad (180°)"),
-        (("bicycle",), "which page?  heavy-top or free, not 'bicycle'"),
-        ((), "which page?  heavy-top or free\n"),
+        (("bicycle",), "which page?  heavy-top, free or check, not 'bicycle'"),
+        ((), "which page?  heavy-top, free or check\n"),
         (("heavy-top", "-o", ""), "--output wants the name of a file"),
         (("heavy-top", "-o", "."), "is no"),
     ],
@@ -81,3 +81,33 @@ def test_bad_input_is_one_line_and_nothing_is_written(asked, says, tmp_path, mon
     assert says in errors
     assert errors.count("\n") == 1
     assert not list(tmp_path.iterdir())
+
+
+def test_the_page_that_checks_a_derivation(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["web", "check"]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("check.html\nCheck my derivation (1.")
+    assert "curl -L https://github.com/pyodide/pyodide/releases/download/" in out
+    assert [p.name for p in tmp_path.iterdir()] == ["check.html"]
+    assert main(["web", "check", "--pyodide", "https://example.org/py", "--json"]) == 0
+    record = json.loads(capsys.readouterr().out)
+    assert record["pyodide"] == "https://example.org/py"
+    assert record["bytes"] == (tmp_path / "check.html").stat().st_size
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["check", "--preset", "flip"], "shows no motion"),
+        (["check", "--set", "M=2"], "shows no motion"),
+        (["check", "--pyodide", "ftp://x/"], "is no address on the web"),
+        (["free", "--pyodide", "pyodide/"], "--pyodide is for the page check, not for free"),
+        (["chec"], "heavy-top, free or check, not 'chec'"),
+    ],
+)
+def test_what_the_page_that_checks_has_not(words, message, tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["web", *words]) == 2
+    assert message in capsys.readouterr().err
+    assert not [*tmp_path.iterdir()]
