@@ -61,7 +61,9 @@ shutil.copytree(HERE.parent / "teacher", HERE / "notebooks", dirs_exist_ok=True)
 LECTURE = HERE / "lecture"
 if main(["lecture", "--format", "myst", "--live", "-o", str(LECTURE)]):
     raise SystemExit("rigidtop lecture failed")
-html_extra_path = [str(LECTURE / "lecture.html")]
+if main(["web", "check", "-o", str(LECTURE / "check.html")]):
+    raise SystemExit("rigidtop web check failed")
+html_extra_path = [str(LECTURE / "lecture.html"), str(LECTURE / "check.html")]
 
 # Sphinx takes the order of pages from trees of contents, where mystmd has a file.
 pages = re.findall(r"- file: (\S+)\.md", (LECTURE / "myst" / "myst.yml").read_text("utf-8"))

@@ -18,7 +18,7 @@ def within(seconds: float) -> Iterator[None]:
     """Raises `TooLong` out of the body after this time of the processor.
 
     Only the main thread can be stopped so, and not on Windows or in a browser: elsewhere there is
-    no limit.
+    no limit.  In a browser the page keeps one, by ending the worker (`rigidtop.commands.browser`).
     """
     main = threading.current_thread() is threading.main_thread()
     if not main or not hasattr(signal, "setitimer"):

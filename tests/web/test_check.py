@@ -216,7 +216,7 @@ window.Worker = class {
   constructor() { window.worker = this; }
   postMessage(data) {
     const say = (data) => setTimeout(() => this.onmessage({ data }));
-    if (data.base) { say({ state: "" }); return; }
+    if (data.base) { say({ state: "Loading Pyodide" }); say({ state: "" }); return; }
     asked.push(data);
     if (window.slow && !data.left.length) say({ number: 4, line: 11, nth: 5, count: 7 });
     else say({ answer: ANSWER });
@@ -279,7 +279,13 @@ def test_outcomes_of_a_text_that_has_changed_say_so(sheet):
 def test_a_line_that_takes_too_long_is_left_open_by_a_new_worker(sheet):
     live = sheet(0.2)
     live.js("void (window.slow = true)")
+    live.driver.execute_script(
+        "window.words = []; const status = document.querySelector('#status');"
+        "new MutationObserver(() => words.push(status.textContent))"
+        ".observe(status, { childList: true });"
+    )
     checked(live)
+    assert any("Line 11 takes longer than 0.2 s and is left open" in x for x in live.js("words"))
     assert live.js("asked.map((each) => each.left)") == [[], [4]]
     assert live.js("ended") == 1
 
@@ -322,7 +328,7 @@ def test_without_pyodide_the_page_says_how_to_get_it(live):
     live.wait("document.querySelector('#status code')")
     words = live.find("#status").text
     assert words.startswith("Pyodide, which runs Python in a browser, is not found at pyodide/: ")
-    assert f"run {FETCH} (about 400 MB)" in words
+    assert f"save this page in a folder, run there {FETCH} (about 400 MB)" in words
     assert "python -m http.server 8000" in words
     assert "http://localhost:8000/check.html" in words
     assert live.find("#check").is_enabled()

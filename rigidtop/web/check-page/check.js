@@ -11,8 +11,9 @@ let timer = 0;
 /** The text that is judged now, and the numbers of its statements that took too long. */
 let asked = "";
 let left = [];
-/** What is judged at the moment. */
+/** What is judged at the moment, and what was given up before. */
 let now = null;
+let before = "";
 
 function start() {
   const source = new Blob([find("worker").textContent], { type: "text/javascript" });
@@ -48,7 +49,7 @@ function rest(words) {
 
 function heard(data) {
   clearTimeout(timer);
-  if (data.state) status.textContent = `${data.state} …`;
+  if (data.state) status.textContent = `${before}${data.state} …`;
   else if (data.state === "") loaded = true;
   else if (data.missing !== undefined) absent(data.missing);
   else if (data.failure !== undefined) {
@@ -57,7 +58,7 @@ function heard(data) {
   } else if (data.answer) show(data.answer);
   else {
     now = data;
-    status.textContent = `Line ${data.line} is judged, ${data.nth} of ${data.count} …`;
+    status.textContent = `${before}Line ${data.line} is judged, ${data.nth} of ${data.count} …`;
     timer = setTimeout(late, 1000 * seconds);
   }
 }
@@ -67,9 +68,8 @@ function late() {
   const { line, number } = now;
   end();
   left = [...left, number];
+  before = `Line ${line} takes longer than ${seconds} s and is left open; the others are judged again. `;
   judge();
-  status.textContent =
-    `Line ${line} takes longer than ${seconds} s and is left open; the others are judged again …`;
 }
 
 /** What to do where there is no Pyodide. */
@@ -80,8 +80,8 @@ function absent(why) {
   const own = location.pathname.split("/").at(-1) || "check.html";
   const code = (words) => Object.assign(document.createElement("code"), { textContent: words });
   status.append(
-    `Pyodide, which runs Python in a browser, is not found at ${base}: in the folder of this page `,
-    "run ", code(command), " (about 400 MB), then ", code(`python -m http.server ${port}`),
+    `Pyodide, which runs Python in a browser, is not found at ${base}: save this page `,
+    "in a folder, run there ", code(command), " (about 400 MB), then ", code(`python -m http.server ${port}`),
     ", and open ", code(`http://localhost:${port}/${own}`), ".",
   );
   if (why) status.append(` (${why.split("\n")[0]})`);
@@ -115,10 +115,10 @@ function count(wrong = new Set()) {
 
 /** Select a line of the text. */
 function lead(line) {
-  const before = text.value.split("\n").slice(0, line);
-  const last = before.join("\n").length;
+  const above = text.value.split("\n").slice(0, line);
+  const last = above.join("\n").length;
   text.focus();
-  text.setSelectionRange(last - before.at(-1).length, last);
+  text.setSelectionRange(last - above.at(-1).length, last);
   text.scrollTop = (line - 3) * parseFloat(getComputedStyle(text).lineHeight);
 }
 
@@ -127,6 +127,7 @@ find("form").addEventListener("submit", (event) => {
   if (find("check").disabled) return;
   asked = text.value;
   left = [];
+  before = "";
   if (!loaded) status.textContent = "Loading …";
   judge();
 });
