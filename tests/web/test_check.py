@@ -100,6 +100,8 @@ sys.path.insert(0, sys.argv[1])
 for name in ("scipy", "matplotlib", "multiprocessing", "rigidtop.web", "rigidtop.figures"):
     sys.modules[name] = None  # importing it fails
 del signal.setitimer
+# Where rigidtop is installed to be edited, parts that are left out come from there.
+sys.meta_path = [x for x in sys.meta_path if "editable" not in getattr(x, "__module__", "")]
 import rigidtop
 assert rigidtop.__file__.startswith(sys.argv[1])
 from rigidtop.commands.browser import Desk
