@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.figures import picture as pen
+from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, Film, one
 from rigidtop.figures.space import UPRIGHT, View, circle, ring, unit
@@ -66,7 +67,7 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
     ):
         angle = angle_between(upright, direction)
         if angle > 1e-9:
-            parts += pen.cone_mantle(circle(upright, angle, length=length), color, alpha)
+            parts += solids.cone_mantle(circle(upright, angle, length=length), color, alpha)
         high = 1.35 if direction is upright else length  # its name above the rims
         parts.append(pen.Arrow(high * direction, words, color, 1.5))
     pen.draw(axes, parts)
@@ -171,7 +172,7 @@ def _striped(
         pen.Curve([pen.ORIGIN, end], color, 0.6, alpha=0.2 if behind else 0.6)
         for end, behind in zip(ends, far, strict=True)
     ]
-    return [*pen.cone_mantle(circle(axis, half), color, 0.13, z), *stripes]
+    return [*solids.cone_mantle(circle(axis, half), color, 0.13, z), *stripes]
 
 
 def _frame(e3: Floats, momentum: Floats) -> Floats:

@@ -49,6 +49,25 @@ class Film:
     show: Callable[[float], None]
 
 
+Box = tuple[float, float, float, float]
+"""Left, low, width and height, as shares of the paper."""
+PAGE: Box = (0.0, 0.0, 1.0, 1.0)
+
+
+def film(width: float, height: float, fill: Callable[..., None], *boxes: Box) -> Film:
+    """A film (inches) that `fill` draws anew at each share: it takes that, and Axes in each box."""
+    drawn = Canvas(figsize=(width, height))
+    panels = [drawn.add_axes(box) for box in boxes or (PAGE,)]
+
+    def show(share: float) -> None:
+        for axes in panels:
+            axes.clear()
+        fill(share, *panels)
+
+    show(0.0)
+    return Film(drawn, show)
+
+
 @dataclass(frozen=True)
 class Drawing:
     """A figure.  `draw`, `facts`, `animate` and `motions` take its parameters by name.

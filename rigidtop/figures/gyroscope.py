@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from rigidtop.derivations.exercises.bodies import simple_rate
 from rigidtop.derivations.exercises.gyroscope import disc_on_axle, gyroscope, spin_for, spinning
 from rigidtop.figures import picture as pen
+from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.axle import arrows, axle, facts_of_axle, steady, to_scale
 from rigidtop.figures.drawing import Drawing
@@ -44,7 +45,7 @@ def draw_gyroscope(axes: Axes, motion: TopMotion, radius: float) -> None:
         pen.Face(plate, look.GROUND, look.GREY, z=0.5),
         pen.Curve([pen.ORIGIN, foot], look.GREY, 3.2, z=1, cap="butt"),
         *axle(VIEW, motion, radius),
-        *pen.disc(arm * e3, e3, half, 0.16 * half, z=2.5),
+        *solids.disc(arm * e3, e3, half, 0.16 * half, z=2.5),
         *_angle(e3, 0.55 * arm),
         *pull,
         turning,

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 
 from rigidtop.derivations.exercises.net_torque import gravity_on_a_solid
 from rigidtop.figures import picture as pen
+from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import vertical
 from rigidtop.figures.drawing import Drawing
@@ -49,7 +50,7 @@ def draw_leaning_cone(
     way = 1.18 * (np.outer(np.cos(lean), UPRIGHT) + np.outer(np.sin(lean), level))
     upright = vertical(theta)
     parts: list[pen.Part] = [
-        *pen.cone(e3, height / size, radius / size),
+        *solids.cone(e3, height / size, radius / size),
         pen.Arrow(TALL * UPRIGHT, look.Z, look.GREY, 0.8, shift=(-8, 0)),
         pen.Arrow(1.35 * e3, look.E3, look.AXIS, 1.0, shift=(9, 0)),
         pen.Arrow(place, lw=2.0),

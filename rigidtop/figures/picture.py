@@ -1,6 +1,7 @@
 """What a figure shows, as data, and the one place where it is put on Axes.
 
-A place is a pair (x, y) on the paper, or points of space (…, 3), which are seen from a view.
+A place is a pair (x, y) or points (…, 2) on the paper, or points of space (…, 3), which are seen
+from a view.
 
 >>> from matplotlib.figure import Figure
 >>> axes = Figure().subplots()
@@ -55,7 +56,10 @@ def seen(place: Place, view: View) -> tuple[Floats, Floats, Floats]:
     if isinstance(place, tuple) and len(place) == 2:
         x, y = np.broadcast_arrays(*(np.asarray(each, dtype=float) for each in place))
         return x, y, 0.0 * x
-    return view(place)
+    points = np.asarray(place, dtype=float)
+    if points.shape[-1] == 2:
+        return points[..., 0], points[..., 1], 0.0 * points[..., 0]
+    return view(points)
 
 
 def turned_away(normal: ArrayLike | None, view: View) -> bool:
@@ -129,6 +133,29 @@ def guide(points: Place, **style: Any) -> Curve:
     return Curve(points, **{"color": look.GREY, "lw": 0.8, "z": 1, **style})
 
 
+def angle(
+    way: Floats,
+    words: str,
+    shift: Shift = (0, 0),
+    ink: str = look.INK,
+    out: float = 1.0,
+    **style: Any,
+) -> list[Part]:
+    """An arc about the origin (N, 2 or 3), and its name at its middle, or `out` times as far."""
+    name = Words(out * way[len(way) // 2], words, shift, ink, ha="center")
+    return [Curve(way, **{"color": ink, "lw": 0.9, **style}), name]
+
+
+def three(t: Floats, rates: Floats, per: str = "") -> list[Part]:
+    """ω₁, ω₂ and ω₃ (N, 3) against the time, by `per`, if it is given; and zero."""
+    styles = (look.SECOND, look.DASH_DOT), (look.FIRST, "-"), (look.INK, look.DASHED)
+    curves = [
+        Curve((t, rate), color, ls=ls, label=rf"$\omega_{k}{per}$")
+        for k, (rate, (color, ls)) in enumerate(zip(rates.T, styles, strict=True), 1)
+    ]
+    return [*curves, Rule(y=0.0, color=look.RULE, lw=0.6, ls="-")]
+
+
 @dataclass(frozen=True)
 class Rule(Part):
     """A straight line over all of a chart, at an x or at a y; dotted if nothing else is said."""
@@ -151,7 +178,10 @@ class Rule(Part):
 
 @dataclass(frozen=True, eq=False)
 class Mark(Part):
-    """Points, never cut off; `fill` and `edge` are colours other than that of all."""
+    """Points, never cut off; `fill` and `edge` are colours other than that of all.
+
+    One may have a name beside it, in `ink` if not in its own colour.
+    """
 
     points: Place
     color: str = look.INK
@@ -162,6 +192,11 @@ class Mark(Part):
     edge: str | None = None
     width: float = 1.0
     label: str = "_"
+    words: str = ""
+    shift: Shift = (0, 0)
+    ha: str = "left"
+    va: str = "baseline"
+    ink: str | None = None
 
     def on(self, axes: Axes, view: View) -> None:
         """Draws them."""
@@ -169,6 +204,10 @@ class Mark(Part):
         style: dict[str, Any] = {"ms": self.size, "zorder": self.z, "mew": self.width}
         style |= {"mfc": self.fill or self.color, "mec": self.edge or self.color}
         axes.plot(x, y, ls="", marker=self.shape, clip_on=False, label=self.label, **style)
+        if self.words:
+            ink = self.ink or self.color
+            name = Words(self.points, self.words, self.shift, ink, self.ha, self.va)
+            name.on(axes, view)
 
 
 @dataclass(frozen=True, eq=False)
@@ -234,7 +273,7 @@ class Arrow(Part):
             draw(axes, [replace(name, z=self.z + 0.2)], view)
 
 
-# --- Areas and bodies ----------------------------------------------------------------------------
+# --- Areas and turns -----------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
@@ -288,68 +327,6 @@ class Sphere(Part):
         """Draws it."""
         outline = Curve(circle(view.axes[2], math.pi / 2), look.RULE, 0.8, z=1)
         draw(axes, [outline, on_sphere(circle(UPRIGHT, math.pi / 2), look.RULE, lw=0.8)], view)
-
-
-def disc(
-    centre: Floats, axis: ArrayLike, radius: float, thickness: float, z: float = 2
-) -> list[Part]:
-    """A cylinder with its middle at `centre`: its outline, and the face that is turned to us."""
-    along, rim = unit(axis), radius * circle(axis, math.pi / 2)
-    below, above = (rim + centre + k * thickness * along for k in (-0.5, 0.5))
-    return [
-        Face(np.vstack([below, above]), look.MANTLE, look.EDGE, z=z, hull=True),
-        Face(below, look.FACE, look.EDGE, z=z + 0.05, normal=-along),
-        Face(above, look.FACE, look.EDGE, z=z + 0.05, normal=along),
-    ]
-
-
-def cone(
-    e3: ArrayLike,
-    height: float = 0.9,
-    radius: float = 0.36,
-    mark: ArrayLike | None = None,
-    z: float = 2,
-) -> list[Part]:
-    """A top on its tip at the origin, its axis along `e3`: a cone with a lid.
-
-    `mark` is a vector fixed in the body and across the axis, towards which a line on the lid
-    points, so that the turning can be seen.
-    """
-    axis = unit(e3)
-    rim = circle(axis, math.atan2(radius, height), 121, math.hypot(height, radius))
-    mantle = Face(np.vstack([rim, ORIGIN]), look.MANTLE, look.EDGE, z=z, hull=True)
-    parts: list[Part] = [mantle, Face(rim, look.FACE, look.EDGE, z=z + 0.1, normal=axis)]
-    if mark is not None:
-        line = np.array([height * axis, height * axis + radius * unit(mark)])
-        parts += [Curve(line, look.EDGE, z=z + 0.3, normal=axis)]
-    return parts
-
-
-def cone_mantle(rim: Floats, color: str, alpha: float, z: float = 3) -> list[Part]:
-    """A hollow cone from the origin to its rim (N, 3), with its two edges."""
-    mantle = Face([*rim, ORIGIN], color, lw=0, alpha=alpha)
-    return [mantle, Edges(rim, color), round_axis(rim, color, lw=0.95, z=z)]
-
-
-@dataclass(frozen=True, eq=False)
-class Edges(Part):
-    """The two lines from the origin to a rim that bound its cone; none for who looks into it."""
-
-    rim: Floats
-    color: str
-
-    def on(self, axes: Axes, view: View) -> None:
-        """Draws them."""
-        x, y, _ = view(self.rim)
-        turn = np.unwrap(np.arctan2(x, y))
-        if np.ptp(turn) < math.pi:
-            ends = [self.rim[k] for k in (int(np.argmax(turn)), int(np.argmin(turn)))]
-            draw(axes, [Curve([ORIGIN, end], self.color, 0.6, alpha=0.7) for end in ends], view)
-
-
-def table(radius: float = 0.75) -> Face:
-    """The table on which the tip stands: a disc about the origin."""
-    return Face(circle(UPRIGHT, math.pi / 2, length=radius), look.GROUND, look.RULE, 0.6, z=0)
 
 
 TAIL, HEAD = 3.6, 1.0
@@ -410,6 +387,24 @@ def paper(axes: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
     axes.set_axis_off()
 
 
+def picture(
+    axes: Axes,
+    parts: Iterable[Part],
+    x: tuple[float, float],
+    y: tuple[float, float],
+    view: View = FRONT,
+) -> None:
+    """Puts the parts on paper with these limits."""
+    draw(axes, parts, view)
+    paper(axes, x, y)
+
+
+def chart(axes: Axes, parts: Iterable[Part], x: str, y: str, **limits: Any) -> None:
+    """Puts the parts on a chart with these names of its axes, and limits as Matplotlib has them."""
+    draw(axes, parts)
+    axes.set(xlabel=x, ylabel=y, **limits)
+
+
 def fit(
     axes: Axes, view: View, points: ArrayLike, margins: tuple[float, float, float, float]
 ) -> None:
@@ -436,6 +431,18 @@ def alone(height: float, fill: Callable[..., None]) -> Callable[..., look.Canvas
     def drawn(**values: float) -> look.Canvas:
         figure = look.canvas(look.COLUMN, height)
         fill(figure.subplots(), **values)
+        return figure
+
+    return drawn
+
+
+def abreast(height: float, *fills: Callable[..., None]) -> Callable[..., look.Canvas]:
+    """What draws pictures side by side without room between, each by what fills it."""
+
+    def drawn(**values: float) -> look.Canvas:
+        figure = look.Canvas(figsize=(look.TEXT, height))
+        for k, fill in enumerate(fills):
+            fill(figure.add_axes((k / len(fills), 0.0, 1 / len(fills), 1.0)), **values)
         return figure
 
     return drawn

@@ -15,6 +15,7 @@ from rigidtop.derivations.exercises.precession_of_rotation_axis import (
     wobbling_plate,
 )
 from rigidtop.figures import picture as pen
+from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, one
 from rigidtop.figures.solved import answers
@@ -89,7 +90,7 @@ def draw_plate(
     mark, top = face + half * e1, REACH * UPRIGHT
     tip = min(REACH, 0.98 / max(math.hypot(e3[0], e3[1]), 1e-9)) * e3
     parts: list[pen.Part] = [
-        *pen.disc(0.0 * e3, e3, half, height),
+        *solids.disc(0.0 * e3, e3, half, height),
         pen.Curve([face, mark], look.FIRST, 1.1, z=above),
         pen.Mark(mark, look.FIRST, 4.2, z=above + 0.1, label="_mark"),
         pen.Curve([vertical, top], look.MOMENTUM, 0.9, look.DASHED, above),

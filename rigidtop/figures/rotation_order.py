@@ -11,6 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.derivations.exercises.rotation_matrices import about, rotations_form_a_group
 from rigidtop.figures import picture as pen
+from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
@@ -22,8 +23,8 @@ HALF = np.array([0.15, 0.5, 0.66])
 """Half the thickness, the width and the height of the book, along x̂, ŷ and ẑ before the turns."""
 
 COVER, BACK, SPINE, PAPER, EDGE = "#dbe7cf", "#9cc07f", "#55703f", "#ffffff", "#3d5230"
-FACES = ((0, 1, COVER), (0, -1, BACK), (1, 1, PAPER), (1, -1, SPINE), (2, 1, PAPER), (2, -1, PAPER))
-"""Axis, side and colour: the cover looks along x̂, the spine against ŷ."""
+COLOURS = COVER, BACK, PAPER, SPINE, PAPER, PAPER
+"""Of the faces: the cover looks along x̂, the spine against ŷ."""
 
 LETTER = np.array([[-0.5, -0.6], [-0.5, 0.6], [0.5, 0.6], [-0.5, 0.6], [-0.5, 0.05], [0.3, 0.05]])
 """An F on the cover, along ŷ and ẑ in half widths and heights: it shows which way is up, and it is
@@ -56,39 +57,18 @@ def matrices(alpha: float, beta: float, gamma: float) -> Floats:
     return np.array([about(first, alpha), about(second, beta)])
 
 
-def corners(axis: int, side: int) -> Floats:
-    """Those of one face of the book (4, 3), one after the other."""
-    first, second = (k for k in range(3) if k != axis)
-    found = np.zeros((4, 3))
-    found[:, axis] = side * HALF[axis]
-    found[:, first] = HALF[first] * np.array([-1, 1, 1, -1])
-    found[:, second] = HALF[second] * np.array([-1, -1, 1, 1])
-    return found
-
-
-def letter() -> Floats:
-    """The strokes of the F (6, 3), before the turns."""
-    return np.column_stack([np.full(len(LETTER), HALF[0]), LETTER * HALF[1:]])
-
-
-def strokes(axis: int, side: int) -> list[Floats]:
-    """What is drawn on a face: F, bar, or the sheets of the paper, parallel to the covers."""
-    if axis == 0:
-        return [letter() if side > 0 else np.column_stack([[-HALF[0]] * 2, BAR * HALF[1:]])]
-    ends = corners(axis, side)[[0, 3]]
-    return [np.column_stack([[share * HALF[0]] * 2, ends[:, 1:]]) for share in (-0.4, 0.0, 0.4)]
-
-
 def book(turn: Floats) -> list[pen.Part]:
-    """The book, turned by a matrix (3, 3)."""
+    """The book, turned by a matrix (3, 3), with its F, its bar and the sheets of its paper."""
     parts: list[pen.Part] = []
-    for axis, side, color in FACES:
-        corner, normal = corners(axis, side) @ turn.T, side * turn[:, axis]
-        parts.append(pen.Face(corner, color, EDGE, 0.8, z=3, normal=normal))
-        ink, width = (look.GREY, 0.4) if color == PAPER else (EDGE, 2.2)
-        label = "_letter" if color == COVER else "_"
-        for stroke in strokes(axis, side) if color != SPINE else ():
-            parts.append(pen.Curve(stroke @ turn.T, ink, width, z=4, label=label, normal=normal))
+    for color, (corners, normal) in zip(COLOURS, solids.faces(turn, HALF), strict=True):
+        parts.append(pen.Face(corners, color, EDGE, 0.8, z=3, normal=normal))
+        if color in (COVER, BACK):
+            flat, label = (LETTER, "_letter") if color == COVER else (BAR, "_")
+            stroke = HALF[0] * normal + flat * HALF[1:] @ turn[:, 1:].T
+            parts.append(pen.Curve(stroke, EDGE, 2.2, z=4, label=label, normal=normal))
+        for share in (-0.4, 0.0, 0.4) if color == PAPER else ():  # parallel to the covers
+            sheet = corners[[0, 3]] + (1 + share) * HALF[0] * turn[:, 0]
+            parts.append(pen.Curve(sheet, look.GREY, 0.4, z=4, normal=normal))
     return parts
 
 
@@ -144,11 +124,11 @@ def orders(alpha: float, beta: float, gamma: float) -> list[list[tuple[str, Floa
 
 def _draw(**values: float) -> Canvas:
     drawn = canvas(look.COLUMN, 2.55)
-    for row, panels in zip(orders(**values), drawn.subplots(2, 3), strict=True):
-        for (words, turn, last), axes in zip(row, panels, strict=True):
-            draw_turned(axes, turn, values["gamma"], last)
-            axes.set_title(words)
-            pen.paper(axes, (-0.98, 1.2), (-0.92, 0.92))
+    steps = [step for row in orders(**values) for step in row]
+    for (words, turn, last), axes in zip(steps, drawn.subplots(2, 3).flat, strict=True):
+        draw_turned(axes, turn, values["gamma"], last)
+        axes.set_title(words)
+        pen.paper(axes, (-0.98, 1.2), (-0.92, 0.92))
     return drawn
 
 

@@ -74,6 +74,18 @@ def ring(
     return np.asarray(centre, dtype=float) + points
 
 
+def bow(
+    radius: float,
+    first: float = 0.0,
+    last: float = 2 * math.pi,
+    centre: ArrayLike = (0.0, 0.0),
+    count: int = 121,
+) -> Floats:
+    """Points (count, 2) of the paper on a circle, from one angle to another (rad)."""
+    turn = np.linspace(first, last, count)
+    return np.asarray(centre) + radius * np.column_stack([np.cos(turn), np.sin(turn)])
+
+
 def arc(first: ArrayLike, last: ArrayLike, count: int = 61, length: float = 1.0) -> Floats:
     """Points (count, 3) on the shorter great circle between two directions."""
     a, b = unit(first), unit(last)

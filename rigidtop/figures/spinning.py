@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.figures import picture as pen
+from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import RATE, SPIN, THETA, TOP, facts_of, has_phi, rates_in_words
 from rigidtop.figures.drawing import Drawing, Film, one
@@ -34,7 +35,7 @@ def _round_about(motion: TopMotion, times: Floats, lw: float, z: float) -> list[
     """The table, ẑ and the path of the axis, which go from behind ẑ to before it."""
     path = TRAIL * motion.exact(times).e3
     return [
-        *([pen.table(0.6)] if motion.turning_points[1] < STANDING else []),
+        *([solids.table(0.6)] if motion.turning_points[1] < STANDING else []),
         pen.Arrow([0, 0, 1.6], look.Z, look.GREY, 0.8, shift=(7, 2), z=1 if z < 7 else 8),
         pen.Curve(path, look.FIRST, lw, z=z, hidden=path[:, 0] < 0),
     ]
@@ -46,7 +47,7 @@ def draw_top(axes: Axes, motion: TopMotion, t: float, since: Floats) -> None:
     e3, mark = run.e3[0], run.rotation.as_matrix()[0][:, 0]
     parts = [
         *_round_about(motion, since, 1.2, 3),
-        *pen.cone(e3, mark=mark, z=2 if e3[0] > 0 else 1.2),
+        *solids.cone(e3, mark=mark, z=2 if e3[0] > 0 else 1.2),
         pen.Arrow(TRAIL * e3, look.E3, look.AXIS, 1.3, start=0.9 * e3),
         pen.Arrow(1.2 * unit(run.angular_momentum[0]), look.L_VEC, look.MOMENTUM, 1.3),
         pen.Arrow(1.05 * unit(run.omega_space[0]), look.OMEGA_VEC, look.OMEGA, 1.5),
@@ -62,7 +63,7 @@ def draw_stroboscopic(axes: Axes, motion: TopMotion, times: Floats) -> None:
         e3, mark, z = run.e3[k], run.rotation.as_matrix()[k][:, 0], 2 + 0.5 * place
         tip, start = TRAIL * e3, BODY[0] * e3
         number = pen.Arrow(tip, rf"${k + 1}$", look.AXIS, 1.2, start, (0, 10), z + 0.4)
-        parts += [*pen.cone(e3, *BODY, mark, z), number]
+        parts += [*solids.cone(e3, *BODY, mark, z), number]
     pen.draw(axes, parts, VIEW)
 
 

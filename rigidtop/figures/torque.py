@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 
 from rigidtop.errors import NoSteadyPrecession
 from rigidtop.figures import picture as pen
+from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import TOP, facts_of
 from rigidtop.figures.drawing import Drawing, one
@@ -51,8 +52,8 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
     centre, end = 0.62 * e3, 1.42 * momentum
     weight = centre - 0.46 * UPRIGHT
     parts: list[pen.Part] = [
-        *([pen.table(0.62)] if standing else []),
-        *pen.cone(e3, 0.78, 0.78 * math.tan(half)),
+        *([solids.table(0.62)] if standing else []),
+        *solids.cone(e3, 0.78, 0.78 * math.tan(half)),
         pen.round_axis(circle(UPRIGHT, tilt, length=1.42), look.MOMENTUM, lw=0.9, ls=look.DASHED),
         pen.Arrow(1.95 * UPRIGHT, look.Z, look.GREY, 0.8, shift=(7, 2)),
         pen.Arrow(centre, lw=2.0),

@@ -17,6 +17,7 @@ from rigidtop.derivations.exercises.toy_top import (
     top_from_the_toy_box,
 )
 from rigidtop.figures import picture as pen
+from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
@@ -60,9 +61,9 @@ def draw_toy_top(
     pieces = ((0.0, middle), 1.5), ((middle + height / 2, top), 3.0)
     stem: Any = {"lw": 2.4, "cap": "butt", "label": "_stem"}
     parts: list[pen.Part] = [
-        pen.table(),
+        solids.table(),
         *(pen.Curve(np.outer(ends, e3), look.NOTE, z=z, **stem) for ends, z in pieces),
-        *pen.disc(middle * e3, e3, half, height),
+        *solids.disc(middle * e3, e3, half, height),
         pen.Mark(centre * e3, label="_centre"),
         pen.Words(centre * e3, look.R_CM, (5, -8)),
         pen.guide(np.outer([top, top + 0.62], e3)),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,7 @@ from matplotlib.axes import Axes
 
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.drawing import Drawing, Film
+from rigidtop.figures.drawing import Drawing, Film, film
 from rigidtop.figures.style import Canvas, Floats
 from rigidtop.parameters import Parameter
 
@@ -38,7 +39,7 @@ def pendulums(angles: Floats, light: bool = False) -> list[pen.Part]:
     x, y = pivots + np.sin(angles), -np.cos(angles)
     color, z = (look.RULE, 1.0) if light else (look.INK, 3.0)
     parts: list[pen.Part] = [
-        pen.Curve((np.array([a, b]), np.array([0.0, c])), color, 0.7 if light else 1.1, z=z)
+        pen.Curve(([a, b], [0.0, c]), color, 0.7 if light else 1.1, z=z)
         for a, b, c in zip(pivots, x, y, strict=True)
     ]
     if light:
@@ -47,14 +48,13 @@ def pendulums(angles: Floats, light: bool = False) -> list[pen.Part]:
     bends = np.where((along > 0.12) & (along < 0.88), np.sin(2 * math.pi * COILS * along), 0.0)
     gap = np.array([x[1] - x[0], y[1] - y[0]])
     across = np.array([-gap[1], gap[0]]) / math.hypot(*gap)
-    spring = (x[0] + along * gap[0], y[0] + along * gap[1])
-    beside = 0.05 * bends
+    spring = np.array([x[0], y[0]]) + np.outer(along, gap) + 0.05 * np.outer(bends, across)
     return [
         *parts,
-        pen.Curve(tuple(p + beside * a for p, a in zip(spring, across, strict=True)), lw=0.8, z=2),
+        pen.Curve(spring, lw=0.8, z=2),
         pen.Mark((x, y), look.FIRST, 10, fill=look.FACE, z=6),
-        pen.Curve((np.array([-1.25, 1.25]), np.zeros(2)), look.NOTE, 2.2, z=4),
-        pen.Mark((pivots, np.zeros(2)), look.NOTE, 2.5),
+        pen.Curve(([-1.25, 1.25], 0.0), look.NOTE, 2.2, z=4),
+        pen.Mark((pivots, 0.0), look.NOTE, 2.5),
     ]
 
 
@@ -72,15 +72,7 @@ def draw_mode(axes: Axes, sign: int, theta: float, stiffness: float) -> None:
     parts = [part for angles in run[1:] for part in pendulums(angles, light=True)]
     parts += pendulums(run[0])
     parts += [pen.Words((0.0, -1.42), words, ha="center")]
-    pen.draw(axes, parts)
-    pen.paper(axes, (-1.65, 1.65), (-1.5, 0.1))
-
-
-def _modes(theta: float, stiffness: float) -> Canvas:
-    drawn = Canvas(figsize=(look.TEXT, 1.35))
-    for k, sign in enumerate((1, -1)):
-        draw_mode(drawn.add_axes((k / 2, 0.0, 0.5, 1.0)), sign, theta, stiffness)
-    return drawn
+    pen.picture(axes, parts, (-1.65, 1.65), (-1.5, 0.1))
 
 
 MODES = Drawing(
@@ -88,7 +80,7 @@ MODES = Drawing(
     "The two modes",
     "2",
     (THETA, STIFFNESS),
-    _modes,
+    pen.abreast(1.35, partial(draw_mode, sign=1), partial(draw_mode, sign=-1)),
     "They are let go at {theta:°}; grey: in flashes of light, at equal intervals, until they have "
     "come to the other side. The spring has $Dl/mg = {stiffness}$.",
     "Two pictures of two pendulums with a spring between the bobs. On the left both lean to the "
@@ -121,9 +113,9 @@ def _curves(axes: Axes, k: int, theta: float, stiffness: float, until: float = 1
     parts += [pen.Curve((turns[shown], run[shown]), look.FIRST, 1.1)]
     if until < 1:
         parts += [pen.Mark((turns[shown][-1], run[shown][-1]), look.FIRST, 4)]
-    pen.draw(axes, [*parts, pen.Rule(y=0.0)])
     most = 1.08 * math.degrees(theta)
-    axes.set(xlim=(0, turns[-1]), ylim=(-most, most), ylabel=rf"$\theta_{k + 1}$  (degrees)")
+    limits = {"xlim": (0, turns[-1]), "ylim": (-most, most)}
+    pen.chart(axes, [*parts, pen.Rule(y=0.0)], "", rf"$\theta_{k + 1}$  (degrees)", **limits)
 
 
 ABOUT_TIME = r"time  (periods $2\pi\,\sqrt{l/g}$)"
@@ -139,23 +131,18 @@ def _beats(theta: float, stiffness: float) -> Canvas:
 
 def _film(theta: float, stiffness: float) -> Film:
     """The pendulums above, what they did below; two exchanges."""
-    drawn = Canvas(figsize=(look.TEXT, 4.4))
-    above = drawn.add_axes((0.2, 0.6, 0.6, 0.39))
-    below = [drawn.add_axes((0.12, bottom, 0.85, 0.21)) for bottom in (0.36, 0.11)]
 
-    def show(share: float) -> None:
+    def show(share: float, above: Axes, *below: Axes) -> None:
         for k, axes in enumerate(below):
-            axes.clear()
             _curves(axes, k, theta, stiffness, share)
         below[0].tick_params(labelbottom=False)
         below[1].set_xlabel(ABOUT_TIME)
-        above.clear()
         now = np.array([share * _span(stiffness)])
-        pen.draw(above, pendulums(let_go((theta, 0.0), stiffness, now)[0]))
-        pen.paper(above, (-1.65, 1.65), (-1.15, 0.1))
+        bobs = pendulums(let_go((theta, 0.0), stiffness, now)[0])
+        pen.picture(above, bobs, (-1.65, 1.65), (-1.15, 0.1))
 
-    show(0.0)
-    return Film(drawn, show)
+    boxes = (0.2, 0.6, 0.6, 0.39), (0.12, 0.36, 0.85, 0.21), (0.12, 0.11, 0.85, 0.21)
+    return film(look.TEXT, 4.4, show, *boxes)
 
 
 def _facts(stiffness: float, **_: float) -> dict[str, Any]:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.drawing import Drawing, Film
-from rigidtop.figures.space import UPRIGHT, View, arc, circle, ring
-from rigidtop.figures.style import Canvas, Floats
+from rigidtop.figures.drawing import Drawing, Film, film
+from rigidtop.figures.space import UPRIGHT, View, arc, bow, circle, ring
+from rigidtop.figures.style import Floats
 from rigidtop.parameters import Parameter
 
 from .laboratory import motion
@@ -36,21 +37,19 @@ def draw_laboratory(axes: Axes, latitude: float) -> None:
         pen.on_sphere(circle(UPRIGHT, math.pi / 2 - latitude), look.GREY, lw=0.8),
         pen.on_sphere(arc(-UPRIGHT, outward), look.RULE, lw=0.8),
         pen.on_sphere(arc(outward, UPRIGHT), look.RULE, lw=0.8),
-        pen.Curve(np.array([-1.2 * UPRIGHT, UPRIGHT]), look.OMEGA, 0.8, look.DASHED, z=1.5),
+        pen.Curve([-1.2 * UPRIGHT, UPRIGHT], look.OMEGA, 0.8, look.DASHED, z=1.5),
         pen.Arrow(1.5 * UPRIGHT, look.OMEGA_VEC, look.OMEGA, 1.5, UPRIGHT, (9, 0)),
         pen.round_axis(around, look.OMEGA, head=True),
-        pen.guide(np.array([pen.ORIGIN, outward])),
+        pen.guide([pen.ORIGIN, outward]),
         pen.Arrow(up, "", look.NOTE, 1.0),
         pen.Words(0.55 * up, r"$\mathbf{r}_0$", (-4, 5), look.NOTE, "right"),
-        pen.Curve(0.42 * turn, look.INK, 0.9, head=latitude > 0.15, z=4),
-        pen.Words(0.42 * turn[30], r"$\lambda$", (4, -3)),
-        pen.Mark(up, look.INK, 3.5),
+        *pen.angle(0.42 * turn, r"$\lambda$", (8, -3), head=latitude > 0.15, z=4),
+        pen.Mark(up),
     ]
     for k, axis in enumerate((east, north, up), 1):
         name = rf"$\mathbf{{e}}_{k}$"
         parts.append(pen.Arrow(up + 0.5 * axis, name, look.AXIS, 1.6, start=up, z=6))
-    pen.draw(axes, parts, VIEW)
-    pen.paper(axes, (-1.05, 1.65), (-1.15, 1.62))
+    pen.picture(axes, parts, (-1.05, 1.65), (-1.15, 1.62), VIEW)
 
 
 LABORATORY = Drawing(
@@ -58,7 +57,7 @@ LABORATORY = Drawing(
     "A laboratory on the earth",
     "1",
     (Parameter("latitude", math.radians(48.85), "latitude", "rad", least=0.0, most=1.4),),
-    pen.alone(3.4, lambda axes, **values: draw_laboratory(axes, **values)),
+    pen.alone(3.4, draw_laboratory),
     r"At the latitude $\lambda = {latitude:°}$; $\mathbf e_1$ points to the east, $\mathbf e_2$ to "
     "the north.",
     "A globe with its axis and the arrow omega upwards. From a place on it at the latitude "
@@ -89,41 +88,22 @@ def draw_rosette(axes: Axes, swings: float, share: float = 1.0, held: bool = Fal
     """The path over the floor, north upwards; the plane of now, where the turn is not yet whole."""
     x, y = path(swings, share, held)
     parts: list[pen.Part] = [
-        pen.guide((np.cos(np.linspace(0, 7, 241)), np.sin(np.linspace(0, 7, 241)))),
+        pen.guide(bow(1.0)),
         pen.Curve((x, y), look.FIRST, 1.0),
-        pen.Mark((1.0, 0.0), look.SECOND, 4),
-        pen.Words((1.0, 0.0), "start", (5, 0), look.SECOND, va="center", size=look.SMALL),
+        pen.Mark((1.0, 0.0), look.SECOND, 4, words="start", shift=(5, 0), va="center"),
         pen.Words((0.0, 1.0), "N", (0, 4), look.NOTE, "center", size=look.SMALL),
         pen.Words((0.0, -1.0), "S", (0, -11), look.NOTE, "center", size=look.SMALL),
     ]
     if share < 1:
-        angle = -2 * math.pi * share
-        across = np.array([-1.0, 1.0])
-        plane = (across * math.cos(angle), across * math.sin(angle))
+        plane = bow(1.0, math.pi - 2 * math.pi * share, -2 * math.pi * share, count=2)
         parts.append(pen.Curve(plane, look.SECOND, 0.9, look.DASHED))
         parts.append(pen.Mark((x[-1], y[-1]), look.INK, 7, fill=look.FACE))
-    pen.draw(axes, parts)
-    pen.paper(axes, (-1.08, 1.36), (-1.2, 1.2))
-
-
-def _rosette(swings: float) -> Canvas:
-    drawn = Canvas(figsize=(look.TEXT, 2.55))
-    for k in range(2):
-        draw_rosette(drawn.add_axes((k / 2, 0.0, 0.5, 1.0)), swings, held=bool(k))
-    return drawn
+    pen.picture(axes, parts, (-1.08, 1.36), (-1.2, 1.2))
 
 
 def _film(swings: float) -> Film:
     """One turn of the plane."""
-    drawn = Canvas(figsize=(look.COLUMN, 3.3))
-    axes = drawn.add_axes((0.0, 0.0, 1.0, 1.0))
-
-    def show(share: float) -> None:
-        axes.clear()
-        draw_rosette(axes, swings, share)
-
-    show(0.0)
-    return Film(drawn, show)
+    return film(look.COLUMN, 3.3, lambda share, axes: draw_rosette(axes, swings, share))
 
 
 ROSETTE = Drawing(
@@ -131,7 +111,7 @@ ROSETTE = Drawing(
     "The path of Foucault's bob over the floor",
     "3",
     (SWINGS,),
-    _rosette,
+    pen.abreast(2.55, draw_rosette, partial(draw_rosette, held=True)),
     "The path over the floor, seen from above, while the plane comes round once, on an earth that "
     "turns so fast that this takes {swings} swings. Left: the start of (3.3), and the bob goes "
     "through the middle each time. Right: let go at rest in the laboratory, where it starts with "

@@ -10,8 +10,9 @@ from matplotlib.axes import Axes
 from scipy.spatial.transform import Rotation
 
 from rigidtop.figures import picture as pen
+from rigidtop.figures import solids
 from rigidtop.figures import style as look
-from rigidtop.figures.drawing import Drawing, Film
+from rigidtop.figures.drawing import Drawing, Film, film
 from rigidtop.figures.space import View
 from rigidtop.figures.style import Canvas, Floats
 from rigidtop.motion.body import FreeBody
@@ -64,8 +65,7 @@ def draw_sphere(axes: Axes, **moments: float) -> None:
     for k, end in enumerate(np.eye(3)):
         name = rf"$\mathbf{{e}}_{k + 1}$"
         parts += [pen.Arrow(1.35 * end, name, look.INK, 1.0, start=end), pen.Mark(end, size=3)]
-    pen.draw(axes, parts, VIEW)
-    pen.paper(axes, (-1.3, 1.3), (-1.05, 1.45))
+    pen.picture(axes, parts, (-1.3, 1.3), (-1.05, 1.45), VIEW)
 
 
 SPHERE = Drawing(
@@ -73,7 +73,7 @@ SPHERE = Drawing(
     "Where the angular momentum goes",
     "1",
     MOMENTS,
-    pen.alone(2.9, lambda axes, **moments: draw_sphere(axes, **moments)),
+    pen.alone(2.9, draw_sphere),
     r"The moments are $\lambda_1$, $\lambda_2$, $\lambda_3 = {lambda1}, {lambda2}, {lambda3}$ "
     "kg m². Thick: the separatrix, two circles through the ends of the middle axis, {edge:°} from "
     r"$\mathbf e_3$. Dashed: behind.",
@@ -113,12 +113,9 @@ def box(axes: Floats, sizes: Floats, centre: Floats) -> list[pen.Part]:
     near = float(FRONT(axes[:, 1])[2]) > 0
     start, tip = (centre + length * axes[:, 1] for length in (sizes[1], sizes[1] + 0.55))
     parts: list[pen.Part] = [pen.Arrow(tip, "", look.AXIS, 1.4, start, z=4 if near else 2)]
-    corners = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]])
-    for k, color in enumerate((look.MANTLE, look.MANTLE, look.FACE)):
-        for sign in (1.0, -1.0):
-            face = np.insert(corners, k, sign, axis=1) * sizes
-            normal = sign * axes[:, k]
-            parts.append(pen.Face(face @ axes.T + centre, color, look.EDGE, z=3, normal=normal))
+    for k, (corners, normal) in enumerate(solids.faces(axes, sizes)):
+        color = look.MANTLE if k < 4 else look.FACE
+        parts.append(pen.Face(corners + centre, color, look.EDGE, z=3, normal=normal))
     return parts
 
 
@@ -135,23 +132,18 @@ def draw_boxes(axes: Axes, push: float, shares: Floats, **moments: float) -> Non
     parts: list[pen.Part] = []
     for k, turned in enumerate(attitudes(run)[1:]):
         parts += box(turned, half_edges(moments), np.array([0.0, APART * k, 0.0]))
-    pen.draw(axes, parts, FRONT)
-    pen.paper(axes, (-APART / 2, APART * (len(shares) - 0.5)), (-APART / 2, APART / 2))
+    right = APART * (len(shares) - 0.5)
+    pen.picture(axes, parts, (-APART / 2, right), (-APART / 2, APART / 2), FRONT)
 
 
 def draw_rates(axes: Axes, push: float, until: float = 1.0, **moments: float) -> None:
     """ω₁, ω₂ and ω₃ by a₂, until a share of the time."""
     path = path_of(push, **moments)
     run = tumbling(path, until * np.linspace(0.0, 1.0, 901))
-    styles = (look.SECOND, look.DASH_DOT), (look.FIRST, "-"), (look.INK, look.DASHED)
-    parts: list[pen.Part] = [pen.Rule(y=0.0, color=look.RULE, lw=0.6, ls="-")]
-    for k, (rate, (color, ls)) in enumerate(zip(run.omega.T, styles, strict=True)):
-        parts.append(
-            pen.Curve((run.t / (2 * math.pi), rate), color, ls=ls, label=rf"$\omega_{k + 1}/a_2$")
-        )
-    pen.draw(axes, parts)
+    rates = pen.three(run.t / (2 * math.pi), run.omega, "/a_2")
     last, most = FLIPS * path.period / (4 * math.pi), 1.05 * max(1.0, path.a1, path.a3)
-    axes.set(xlim=(0, last), ylim=(-most, most), xlabel=r"time  (turns, $2\pi/a_2$)")
+    limits = {"xlim": (0, last), "ylim": (-most, most)}
+    pen.chart(axes, rates, r"time  (turns, $2\pi/a_2$)", "", **limits)
     pen.legend_above(axes, ncols=3)
 
 
@@ -166,18 +158,12 @@ def _tumble(**values: float) -> Canvas:
 
 def _film(**values: float) -> Film:
     """The body above, what it did below."""
-    drawn = Canvas(figsize=(look.TEXT, 4.2))
-    above = drawn.add_axes((0.3, 0.52, 0.4, 0.47))
-    below = drawn.add_axes((0.1, 0.11, 0.87, 0.32))
 
-    def show(share: float) -> None:
-        above.clear()
-        below.clear()
+    def show(share: float, above: Axes, below: Axes) -> None:
         draw_boxes(above, shares=np.array([share]), **values)
         draw_rates(below, **values, until=share)
 
-    show(0.0)
-    return Film(drawn, show)
+    return film(look.TEXT, 4.2, show, (0.3, 0.52, 0.4, 0.47), (0.1, 0.11, 0.87, 0.32))
 
 
 def _facts(push: float, **moments: float) -> dict[str, Any]:

@@ -10,9 +10,10 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rigidtop.figures import picture as pen
+from rigidtop.figures import solids
 from rigidtop.figures import style as look
-from rigidtop.figures.drawing import Drawing, Film
-from rigidtop.figures.space import UPRIGHT, View, circle, ring
+from rigidtop.figures.drawing import Drawing, Film, film
+from rigidtop.figures.space import UPRIGHT, View, bow, circle, ring
 from rigidtop.figures.style import Canvas, Floats
 from rigidtop.parameters import Parameter
 
@@ -33,27 +34,24 @@ def draw_level(axes: Axes, alpha: float, latitude: float) -> None:
     level, up = 1.5 * math.cos(latitude) * NORTH, 1.5 * math.sin(latitude) * UPRIGHT
     plane = circle(UPRIGHT, math.pi / 2, length=1.35)
     away = bool(along @ VIEW.axes[2] < 0)
-    spin = pen.Turning(0.55 * along, along, 0.22, 1.0, r"$\dot\psi$")
     parts: list[pen.Part] = [
         pen.Face(plane, look.GROUND, look.RULE, 0.6, z=0),
         *(
             pen.Arrow(1.75 * end, rf"$\mathbf{{e}}_{k}$", look.NOTE, 0.9, z=1.5)
             for k, end in enumerate((EAST, NORTH, UPRIGHT), 1)
         ),
-        pen.guide(np.array([level, level + up])),
-        pen.guide(np.array([up, level + up])),
+        pen.guide([level, level + up]),
+        pen.guide([up, level + up]),
         pen.Arrow(level, r"$\Omega\cos\beta$", look.OMEGA, 1.5, shift=(6, -11)),
         pen.Arrow(up, r"$\Omega\sin\beta$", look.OMEGA, 1.5, shift=(-24, -2)),
         pen.Arrow(level + up, r"$\boldsymbol{\Omega}$", look.OMEGA, 1.7, z=6),
-        *pen.disc(pen.ORIGIN, along, 0.42, 0.1, z=3),
+        *solids.disc(pen.ORIGIN, along, 0.42, 0.1, z=3),
         pen.Arrow(1.25 * along, r"$\mathbf{a}$", look.AXIS, 1.6, z=2.5 if away else 5.5),
         pen.Curve(np.outer([-0.05, -0.45], along), look.AXIS, 1.6, z=5.5 if away else 2.5),
-        spin,
-        pen.Curve(turn, look.INK, 0.9, head=alpha > 0.15, z=4),
-        pen.Words(turn[len(turn) // 2], r"$\alpha$", (5, -3)),
+        pen.Turning(0.55 * along, along, 0.22, 1.0, r"$\dot\psi$"),
+        *pen.angle(turn, r"$\alpha$", (9, -3), head=alpha > 0.15, z=4),
     ]
-    pen.draw(axes, parts, VIEW)
-    pen.paper(axes, (-1.9, 1.9), (-0.95, 1.75))
+    pen.picture(axes, parts, (-1.9, 1.9), (-0.95, 1.75), VIEW)
 
 
 LEVEL = Drawing(
@@ -64,7 +62,7 @@ LEVEL = Drawing(
         Parameter("alpha", math.radians(55), "angle from north", "rad", least=0.2, most=2.5),
         LATITUDE,
     ),
-    pen.alone(3.0, lambda axes, **values: draw_level(axes, **values)),
+    pen.alone(3.0, draw_level),
     r"At the latitude $\beta = {latitude:°}$, with $\alpha = {alpha:°}$ to the west of north; "
     r"$\mathbf e_1$ points to the east, $\mathbf e_2$ to the north.",
     "A level disc with arrows to the east, to the north and upwards. A wheel stands upright on it; "
@@ -107,36 +105,30 @@ def _at(angle: float, radius: float = 1.0) -> Floats:
 def wheel(angle: float, light: bool = False) -> list[pen.Part]:
     """The wheel and its axis from above."""
     along, across = _at(angle), _at(angle + math.pi / 2)
-    corners = [
-        a * 0.07 * along + b * 0.34 * across for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1))
-    ]
-    x, y = np.transpose(corners)
     if light:
-        return [pen.Arrow(tuple(0.85 * along), "", look.RULE, 0.8, tuple(-0.6 * along), z=1)]
+        return [pen.Arrow(0.85 * along, "", look.RULE, 0.8, -0.6 * along, z=1)]
+    corners = np.array([[1, 1], [1, -1], [-1, -1], [-1, 1]]) @ [0.07 * along, 0.34 * across]
     return [
-        pen.Face((x, y), look.MANTLE, look.EDGE, z=3),
-        pen.Arrow(tuple(0.85 * along), "", look.AXIS, 1.6, tuple(-0.6 * along), z=4),
+        pen.Face(corners, look.MANTLE, look.EDGE, z=3),
+        pen.Arrow(0.85 * along, "", look.AXIS, 1.6, -0.6 * along, z=4),
     ]
 
 
 def draw_dial(axes: Axes, angles: Floats, flashes: Floats | None = None) -> None:
     """The wheel from above at the last of these angles; it came from the first."""
-    edge = np.linspace(0.0, 2 * math.pi, 181)
-    round_ = 0.92 * np.stack([-np.sin(angles), np.cos(angles)])
+    way = 0.92 * np.column_stack([-np.sin(angles), np.cos(angles)])
     parts: list[pen.Part] = [
-        pen.guide((np.cos(edge), np.sin(edge))),
-        pen.Curve(tuple(round_), look.FIRST, 1.0, alpha=0.7),
+        pen.guide(bow(1.0)),
+        pen.Curve(way, look.FIRST, 1.0, alpha=0.7),
         *wheel(float(angles[-1])),
     ]
     for words, angle in zip("NWSE", np.arange(4) * math.pi / 2, strict=True):
-        tick = np.outer([0.95, 1.0], _at(angle)).T
-        parts.append(pen.guide((tick[0], tick[1])))
-        place = tuple(_at(angle, 1.13))
+        parts.append(pen.guide([_at(angle, 0.95), _at(angle)]))
+        place = _at(angle, 1.13)
         parts.append(pen.Words(place, words, color=look.NOTE, ha="center", va="center", size=8))
     for angle in () if flashes is None else flashes:
         parts += wheel(float(angle), light=True)
-    pen.draw(axes, parts)
-    pen.paper(axes, (-1.25, 1.25), (-1.25, 1.25))
+    pen.picture(axes, parts, (-1.25, 1.25), (-1.25, 1.25))
 
 
 def draw_angles(axes: Axes, t: Floats, angle: Floats, until: int = ROWS) -> None:
@@ -146,9 +138,9 @@ def draw_angles(axes: Axes, t: Floats, angle: Floats, until: int = ROWS) -> None
         pen.Curve((t[:until], np.degrees(angle[:until])), look.FIRST),
         pen.Mark((t[until - 1], np.degrees(angle[until - 1])), look.FIRST, 4),
     ]
-    pen.draw(axes, parts)
     most = 1.1 * math.degrees(angle[0])
-    axes.set(xlim=(0, t[-1]), ylim=(-most, most), xlabel="$t$  (s)", ylabel=r"$\alpha$  (degrees)")
+    limits = {"xlim": (0, t[-1]), "ylim": (-most, most)}
+    pen.chart(axes, parts, "$t$  (s)", r"$\alpha$  (degrees)", **limits)
 
 
 def _search(**values: float) -> Canvas:
@@ -162,19 +154,14 @@ def _search(**values: float) -> Canvas:
 
 def _film(**values: float) -> Film:
     """Two swings."""
-    drawn = Canvas(figsize=(look.TEXT, 2.4))
-    dial, chart = drawn.add_axes((0.0, 0.0, 0.42, 1.0)), drawn.add_axes((0.55, 0.2, 0.42, 0.74))
     t, angle = swings(time=_shown(**values), **values)
 
-    def show(share: float) -> None:
-        dial.clear()
-        chart.clear()
+    def show(share: float, dial: Axes, chart: Axes) -> None:
         until = 1 + round(share * (ROWS - 1))
         draw_dial(dial, angle[:until])
         draw_angles(chart, t, angle, until)
 
-    show(0.0)
-    return Film(drawn, show)
+    return film(look.TEXT, 2.4, show, (0.0, 0.0, 0.42, 1.0), (0.55, 0.2, 0.42, 0.74))
 
 
 def _facts(start: float, turns: float, latitude: float) -> dict[str, Any]:

@@ -10,8 +10,9 @@ from matplotlib.axes import Axes
 
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.drawing import Drawing, Film
-from rigidtop.figures.style import Canvas, Floats
+from rigidtop.figures.drawing import Drawing, Film, film
+from rigidtop.figures.space import bow
+from rigidtop.figures.style import Floats
 from rigidtop.parameters import Parameter
 
 from .orbits import orbit, period
@@ -44,40 +45,31 @@ def draw_conics(axes: Axes, epsilon: float) -> None:
     """Four orbits with one semi-latus rectum, and the letters of (1.5) at the ellipse."""
     long = np.linspace(-9.0, 9.0, 721)
     parabola, hyperbola = places(1.0, long), places(1.5, long)
-    curves = (
-        (_closed(0.0), look.GREY),
-        (parabola, look.SECOND),
-        (hyperbola, look.THIRD),
-        (_closed(epsilon), look.FIRST),
-    )
-    parts: list[pen.Part] = [pen.Curve(path, color, 1.4, z=3) for path, color in curves]
-    parts += [
+    far, near = -1.0 / (1 - epsilon), 1.0 / (1 + epsilon)
+    [planet] = np.transpose(places(epsilon, np.array([0.22 * period(1.0, epsilon)])))
+    turn = bow(0.3, 0.0, math.atan2(planet[1], planet[0]))
+    first, second = _at_height(parabola, 2.2), _at_height(hyperbola, 2.2)
+    parts: list[pen.Part] = [
+        pen.Curve(_closed(0.0), look.GREY, 1.4, z=3),
         pen.Words((-0.94, -0.34), r"$\varepsilon=0$", (-2, 0), look.GREY, "right", "top"),
-        pen.Words(
-            _at_height(parabola, 2.2), r"$\varepsilon=1$", (-4, -4), look.SECOND, "right", "top"
-        ),
-        pen.Words(_at_height(hyperbola, 2.2), r"$\varepsilon=1.5$", (5, 0), "#55803d"),
-    ]
-    far = -1.0 / (1 - epsilon), 1.0 / (1 + epsilon)
-    x, y = places(epsilon, np.array([0.22 * period(1.0, epsilon)]))
-    angle = math.atan2(float(y[0]), float(x[0]))
-    turn = np.linspace(0.0, angle, 61)
-    parts += [
-        pen.guide((np.array([far[0], 1.06]), np.zeros(2)), ls=look.DASHED),
-        pen.Mark((far[1], 0.0), look.FIRST, 3),
-        pen.guide((np.zeros(2), np.array([-1.0, 0.0]))),
+        pen.Curve(parabola, look.SECOND, 1.4, z=3),
+        pen.Words(first, r"$\varepsilon=1$", (-4, -4), look.SECOND, "right", "top"),
+        pen.Curve(hyperbola, look.THIRD, 1.4, z=3),
+        pen.Words(second, r"$\varepsilon=1.5$", (5, 0), "#55803d"),
+        pen.Curve(_closed(epsilon), look.FIRST, 1.4, z=3),
+        pen.Words((far, 0.0), rf"$\varepsilon={look.in_math(epsilon)}$", (4, 5), look.FIRST),
+        pen.guide(([far, 1.06], 0.0), ls=look.DASHED),
+        pen.Mark((near, 0.0), look.FIRST, 3),
+        pen.guide((0.0, [-1.0, 0.0])),
         pen.Words((0.0, -0.5), "$p$", (5, -3), look.NOTE),
-        pen.Curve((np.array([0.0, x[0]]), np.array([0.0, y[0]])), z=4),
-        pen.Words((0.6 * x[0], 0.6 * y[0]), "$r$", (3, 4)),
-        pen.Curve((0.3 * np.cos(turn), 0.3 * np.sin(turn)), lw=0.9, head=True, z=4),
-        pen.Words((0.3 * math.cos(angle / 2), 0.3 * math.sin(angle / 2)), r"$\phi$", (3, 2)),
-        pen.Mark((x[0], y[0]), look.FIRST, 5),
-        pen.Words((far[0], 0.0), rf"$\varepsilon={look.in_math(epsilon)}$", (4, 5), look.FIRST),
+        pen.Curve([0 * planet, planet], z=4),
+        pen.Words(0.6 * planet, "$r$", (3, 4)),
+        *pen.angle(turn, r"$\phi$", (7, 2), head=True, z=4),
+        pen.Mark(planet, look.FIRST, 5),
         pen.Words((1.06, 0.0), "perihelion", (3, 0), look.NOTE, va="center", size=look.SMALL),
         SUN,
     ]
-    pen.draw(axes, parts)
-    pen.paper(axes, (min(far[0], -2.2) - 0.15, 1.75), (-1.9, 2.6))
+    pen.picture(axes, parts, (min(far, -2.2) - 0.15, 1.75), (-1.9, 2.6))
 
 
 CONICS = Drawing(
@@ -85,7 +77,7 @@ CONICS = Drawing(
     "Orbits of one angular momentum and different eccentricities",
     "1",
     (ECCENTRICITY,),
-    pen.alone(3.3, lambda axes, **values: draw_conics(axes, **values)),
+    pen.alone(3.3, draw_conics),
     r"All have the semi-latus rectum $p$: a circle, an ellipse of $\varepsilon = {epsilon}$, a "
     "parabola and a hyperbola, integrated from the perihelion.",
     "Four curves about the sun, which all go through the same point above it: a circle, an ellipse "
@@ -111,32 +103,23 @@ def draw_areas(axes: Axes, epsilon: float, now: float | None = None) -> None:
     parts: list[pen.Part] = [pen.Curve(_closed(epsilon), look.FIRST, 1.4, z=3), SUN]
     if now is None:
         parts += [pen.Face(sector(epsilon, s, 1 / PARTS), look.FACE) for s in starts[::2]]
-        parts += [
-            pen.guide((np.array([0, a]), np.array([0, b]))) for a, b in zip(x, y, strict=True)
-        ]
+        parts += [pen.guide(([0, a], [0, b])) for a, b in zip(x, y, strict=True)]
         parts += [pen.Mark((x, y), look.FIRST, 4)]
     else:
         swept = sector(epsilon, now - 1 / PARTS, 1 / PARTS)
         planet = swept[0][-1], swept[1][-1]
         parts += [pen.Face(swept, look.FACE, look.EDGE), pen.Mark(planet, look.FIRST, 6)]
         parts += [pen.Mark((x, y), look.GREY, 2.5, z=4)]
-    pen.draw(axes, parts)
     a, b = 1 / (1 - epsilon**2), 1 / math.sqrt(1 - epsilon**2)
-    pen.paper(axes, (-a * (1 + epsilon) - 0.1, a * (1 - epsilon) + 0.1), (-b - 0.1, b + 0.1))
+    across = -a * (1 + epsilon) - 0.1, a * (1 - epsilon) + 0.1
+    pen.picture(axes, parts, across, (-b - 0.1, b + 0.1))
 
 
 def _film(epsilon: float) -> Film:
     """One period."""
     a, b = 1 / (1 - epsilon**2), 1 / math.sqrt(1 - epsilon**2)
-    drawn = Canvas(figsize=(look.COLUMN, look.COLUMN * (b + 0.1) / (a + 0.1)))
-    axes = drawn.add_axes((0.0, 0.0, 1.0, 1.0))
-
-    def show(share: float) -> None:
-        axes.clear()
-        draw_areas(axes, epsilon, share)
-
-    show(0.0)
-    return Film(drawn, show)
+    height = look.COLUMN * (b + 0.1) / (a + 0.1)
+    return film(look.COLUMN, height, lambda share, axes: draw_areas(axes, epsilon, share))
 
 
 def _facts(epsilon: float) -> dict[str, Any]:
@@ -151,7 +134,7 @@ AREAS = Drawing(
     "Equal areas in equal times",
     "2",
     (ECCENTRICITY,),
-    pen.alone(2.7, lambda axes, **values: draw_areas(axes, **values)),
+    pen.alone(2.7, draw_areas),
     r"An orbit of $\varepsilon = {epsilon}$ in {parts} sectors, each swept over in the same time. "
     "At the perihelion the planet goes {wide:°} about the sun in that time, at the aphelion "
     "{narrow:°}.",

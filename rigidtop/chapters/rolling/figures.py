@@ -10,8 +10,9 @@ from matplotlib.axes import Axes
 
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.drawing import Drawing, Film
-from rigidtop.figures.style import Canvas, Floats
+from rigidtop.figures.drawing import Drawing, Film, film
+from rigidtop.figures.space import bow
+from rigidtop.figures.style import Floats
 from rigidtop.parameters import Parameter
 
 from .rolling import down, set_down
@@ -23,20 +24,14 @@ SLOPE = Parameter("slope", math.radians(22), "slope", "rad", least=0.1, most=1.0
 WAY, FLASHES = 7.0, 5
 """By R, and how often light falls on it."""
 
-ROUND = np.linspace(0.0, 2 * math.pi, 121)
-
-
-def _flat(x: Any, y: Any) -> tuple[Floats, Floats]:
-    return np.asarray(x, dtype=float), np.asarray(y, dtype=float)
-
 
 def rim(centre: Floats, angle: float, light: bool) -> list[pen.Part]:
     """The wheel of radius 1 with a spoke that has turned by an angle, clockwise."""
-    edge = _flat(centre[0] + np.cos(ROUND), centre[1] + np.sin(ROUND))
-    spoke = centre[:, None] + np.outer([math.sin(angle), math.cos(angle)], [0.0, 1.0])
+    edge = bow(1.0, centre=centre)
+    spoke = [centre, centre + np.array([math.sin(angle), math.cos(angle)])]
     color = look.RULE if light else look.EDGE
     face = [] if light else [pen.Face(edge, look.MANTLE, z=1)]
-    return [*face, pen.Curve(edge, color, 1.2), pen.Curve(_flat(*spoke), color, 1.2)]
+    return [*face, pen.Curve(edge, color, 1.2), pen.Curve(spoke, color, 1.2)]
 
 
 def draw_wheel(axes: Axes, ratio: float, slope: float) -> None:
@@ -49,29 +44,24 @@ def draw_wheel(axes: Axes, ratio: float, slope: float) -> None:
     for way, angle in reversed([*zip(s, chi, strict=True)]):
         parts += rim(way * along + out, angle, light=way > 0)
     low, high = -1.6 * along, (WAY + 1.4) * along
-    corner = np.array([low[0], high[1]])
-    ground = np.array([low, high, corner])
+    ground = [low, high, [low[0], high[1]]]
     touch, weight = np.zeros(2), 2.4
     friction = weight * ratio / (1 + ratio) * math.sin(slope)
-    turn = np.linspace(math.pi, math.pi - slope, 31)
     arrows = (
         (out, np.array([0.0, -weight]), r"$m\mathbf{g}$", (9, 2)),
         (touch, weight * math.cos(slope) * out, r"$\mathbf{S}$", (8, 3)),
         (touch, -friction * along, r"$|\mu|$", (-3, -9)),
     )
     for start, force, words, shift in arrows:
-        tip = tuple(start + force)
-        parts.append(pen.Arrow(tip, words, look.TORQUE, 1.5, tuple(start), shift, 6))
+        parts.append(pen.Arrow(start + force, words, look.TORQUE, 1.5, start, shift, 6))
     parts += [
-        pen.Face(_flat(*ground.T), look.GROUND, z=0.5),
-        pen.Curve(_flat(*ground[:2].T), look.NOTE, 1.2, z=1.5),
-        pen.Curve(_flat(high[0] + 2.2 * np.cos(turn), high[1] + 2.2 * np.sin(turn)), lw=0.8),
+        pen.Face(ground, look.GROUND, z=0.5),
+        pen.Curve(ground[:2], look.NOTE, 1.2, z=1.5),
+        pen.Curve(bow(2.2, math.pi, math.pi - slope, high), lw=0.8),
         pen.Words((high[0] - 2.6, high[1]), r"$\alpha$", (0, 3), ha="right"),
-        pen.Mark(tuple(out), look.INK, 3),
-        pen.Mark((0.0, 0.0), look.INK, 3),
+        pen.Mark([out, touch], size=3),
     ]
-    pen.draw(axes, parts)
-    pen.paper(axes, (low[0] - 0.1, high[0] + 0.1), (high[1] - 0.1, 2.75))
+    pen.picture(axes, parts, (low[0] - 0.1, high[0] + 0.1), (high[1] - 0.1, 2.75))
 
 
 def _wheel_facts(ratio: float, slope: float) -> dict[str, Any]:
@@ -84,7 +74,7 @@ WHEEL = Drawing(
     "A wheel that rolls down a slope",
     "1",
     (RATIO, SLOPE),
-    pen.alone(2.4, lambda axes, **values: draw_wheel(axes, **values)),
+    pen.alone(2.4, draw_wheel),
     r"The slope is $\alpha = {slope:°}$, and $I/mR^2 = {ratio}$; $\mathbf S$ is the push of the "
     "slope. The wheel has {share:%} per cent of the acceleration of something that slides without "
     r"friction, and does not slip for $\mu_s > {rough}$. Grey: in flashes of light, at equal "
@@ -119,15 +109,14 @@ def _on_table(run: Floats, angles: Floats) -> Floats:
 
 
 def _table(axes: Axes, size: float, angle: float, words: str) -> None:
-    spokes = [angle + k * math.pi / 3 for k in range(6)]
-    edge = _flat(size * np.cos(ROUND), size * np.sin(ROUND))
-    ends = [_flat([0, size * math.cos(x)], [0, size * math.sin(x)]) for x in spokes]
-    parts: list[pen.Part] = [pen.Face(edge, look.GROUND, look.RULE, z=0.4)]
-    parts += [pen.guide(end, color=look.RULE, lw=0.7) for end in ends]
-    parts += [pen.Mark((0.0, 0.0), look.NOTE, 3)]
-    parts += [pen.Words((0.0, -size), words, (0, -12), look.NOTE, "center", size=look.SMALL)]
-    pen.draw(axes, parts)
-    pen.paper(axes, (-1.08 * size, 1.08 * size), (-1.25 * size, 1.08 * size))
+    spokes = bow(size, angle, angle + 2 * math.pi, count=7)[:-1]
+    parts = [
+        pen.Face(bow(size), look.GROUND, look.RULE, z=0.4),
+        *(pen.guide([0 * end, end], color=look.RULE, lw=0.7) for end in spokes),
+        pen.Mark((0.0, 0.0), look.NOTE, 3),
+        pen.Words((0.0, -size), words, (0, -12), look.NOTE, "center", size=look.SMALL),
+    ]
+    pen.picture(axes, parts, (-1.08 * size, 1.08 * size), (-1.25 * size, 1.08 * size))
 
 
 def _size(d: float, v: float, turn: float) -> float:
@@ -142,17 +131,14 @@ def draw_room(axes: Axes, d: float, v: float, turn: float, share: float = 1.0) -
     run = places(d, v, turn, times)
     passed = run[times <= share * times[-1]]
     _table(axes, size, turn * share * times[-1], "from the room")
-    tip = d + 0.35 * size, 0.0
+    tip, centre = (d + 0.35 * size, 0.0), (d, 7 * v / (2 * turn))
     parts: list[pen.Part] = [
-        pen.Curve(_flat(*passed.T), look.FIRST, 1.4, z=3),
-        pen.Mark((d, 7 * v / (2 * turn)), look.SECOND, 5, "+"),
-        pen.Words((d, 7 * v / (2 * turn)), r"$\mathbf{c}$", (5, 3), look.SECOND),
+        pen.Curve(passed, look.FIRST, 1.4, z=3),
+        pen.Mark(centre, look.SECOND, 5, "+", words=r"$\mathbf{c}$", shift=(5, 3)),
+        pen.Mark(passed[-1], look.INK, 9 if share < 1 else 7, fill=look.FACE),
     ]
-    if share < 1:
-        parts.append(pen.Mark(tuple(passed[-1]), look.INK, 9, fill=look.FACE))
-    else:
+    if share == 1:
         parts.append(pen.Arrow(tip, r"$\mathbf{v}$", look.INK, 1.2, (d, 0.0), (7, 3)))
-        parts.append(pen.Mark((d, 0.0), look.INK, 7, fill=look.FACE))
     pen.draw(axes, parts)
 
 
@@ -162,27 +148,12 @@ def draw_on_table(axes: Axes, d: float, v: float, turn: float) -> None:
     path = _on_table(places(d, v, turn, times), turn * times)
     _table(axes, _size(d, v, turn), 0.0, "from the table")
     ball = pen.Mark((d, 0.0), look.INK, 7, fill=look.FACE)
-    pen.draw(axes, [pen.Curve(_flat(*path.T), look.FIRST, 1.4, z=3), ball])
-
-
-def _circle(**values: float) -> Canvas:
-    drawn = Canvas(figsize=(look.TEXT, 2.75))
-    for k, fill in enumerate((draw_room, draw_on_table)):
-        fill(drawn.add_axes((k / 2, 0.0, 0.5, 1.0)), **values)
-    return drawn
+    pen.draw(axes, [pen.Curve(path, look.FIRST, 1.4, z=3), ball])
 
 
 def _film(**values: float) -> Film:
     """Once round the circle, from the room; the table turns below."""
-    drawn = Canvas(figsize=(look.COLUMN, 3.6))
-    axes = drawn.add_axes((0.0, 0.0, 1.0, 1.0))
-
-    def show(share: float) -> None:
-        axes.clear()
-        draw_room(axes, **values, share=share)
-
-    show(0.0)
-    return Film(drawn, show)
+    return film(look.COLUMN, 3.6, lambda share, axes: draw_room(axes, **values, share=share))
 
 
 def _circle_facts(d: float, v: float, turn: float) -> dict[str, Any]:
@@ -194,7 +165,7 @@ CIRCLE = Drawing(
     "A ball on a turntable",
     "2",
     (D, V, TURN),
-    _circle,
+    pen.abreast(2.75, draw_room, draw_on_table),
     r"The table turns to the left at $\Omega = {turn}$ rad/s; the ball starts {d} m from the axis "
     r"with $v = {v}$ m/s and goes round in {time} s, at the distance {radius} m from $\mathbf c$. "
     "Right: two rounds as seen by somebody on the table.",

@@ -11,8 +11,8 @@ from matplotlib.axes import Axes
 
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.drawing import Drawing, Film
-from rigidtop.figures.space import View, circle
+from rigidtop.figures.drawing import Drawing, Film, film
+from rigidtop.figures.space import View, bow, circle
 from rigidtop.figures.style import Canvas, Floats
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 from rigidtop.parameters import Parameter
@@ -27,30 +27,26 @@ LID = 0.65
 
 def draw_contact(axes: Axes, tilt: float) -> None:
     """The ball in the plane of its axis and the vertical; the radius is 1, the contact at 0."""
-    edge = np.linspace(math.pi / 2 - tilt + LID, 5 * math.pi / 2 - tilt - LID, 181)
+    up = math.pi / 2 - tilt
     axis = np.array([math.sin(tilt), math.cos(tilt)])
     middle, touch = np.array([0.0, 1.0]), (0.0, 0.0)
     centre = middle - 0.3 * axis
-    turn = np.linspace(0.0, tilt, 31)
-    arc = 1.25 * np.sin(turn), 1 + 1.25 * np.cos(turn)
+    lean = bow(1.25, math.pi / 2, up, middle)
     parts: list[pen.Part] = [
-        pen.Face((np.cos(edge), 1 + np.sin(edge)), look.MANTLE, look.EDGE, 1.2),
-        pen.Face((np.array([-1.5, 1.5, 1.5, -1.5]), np.array([0, 0, -0.16, -0.16])), look.GROUND),
-        pen.Arrow(tuple(0.07 * centre), r"$\mathbf{q}$", look.FIRST, 1.5, tuple(centre), (-9, 12)),
-        pen.Arrow(tuple(middle + 1.45 * axis), r"$\mathbf{e}$", look.AXIS, 1.5, tuple(centre)),
-        pen.Arrow((0.0, 2.45), r"$\mathbf{n}$", look.INK, 1.5, tuple(middle)),
+        pen.Face(bow(1.0, up + LID, up + 2 * math.pi - LID, middle), look.MANTLE, look.EDGE, 1.2),
+        pen.Face(([-1.5, 1.5, 1.5, -1.5], [0, 0, -0.16, -0.16]), look.GROUND),
+        pen.Arrow(0.07 * centre, r"$\mathbf{q}$", look.FIRST, 1.5, centre, (-9, 12)),
+        pen.Arrow(middle + 1.45 * axis, r"$\mathbf{e}$", look.AXIS, 1.5, centre),
+        pen.Arrow((0.0, 2.45), r"$\mathbf{n}$", look.INK, 1.5, middle),
         pen.Arrow((0.0, 0.62), r"$N\mathbf{n}$", look.TORQUE, 1.5, (0.0, 0.07), (12, -4)),
-        pen.Curve(arc, look.NOTE, 0.8),
-        pen.Words((arc[0][15], arc[1][15]), r"$\theta$", (0, 3), look.NOTE, "center"),
-        pen.Words(tuple((centre + middle) / 2), "$h$", (5, -6), look.AXIS),
-        pen.Mark(tuple(centre), look.INK, 5),
-        pen.Mark(tuple(middle), look.INK, 4, fill="white"),
+        *pen.angle(lean, r"$\theta$", (0, 3), look.NOTE, lw=0.8),
+        pen.Words((centre + middle) / 2, "$h$", (5, -6), look.AXIS),
+        pen.Mark(centre, look.INK, 5),
+        pen.Mark(middle, look.INK, 4, fill="white"),
         pen.Mark(touch, look.TORQUE, 8, fill="white", z=8),
-        pen.Mark(touch, look.TORQUE, 2.5, z=9),
-        pen.Words(touch, r"$-f\mathbf{v}$", (8, -10), look.TORQUE),
+        pen.Mark(touch, look.TORQUE, 2.5, z=9, words=r"$-f\mathbf{v}$", shift=(8, -10)),
     ]
-    pen.draw(axes, parts)
-    pen.paper(axes, (-1.55, 1.55), (-0.3, 2.65))
+    pen.picture(axes, parts, (-1.55, 1.55), (-0.3, 2.65))
 
 
 CONTACT = Drawing(
@@ -58,7 +54,7 @@ CONTACT = Drawing(
     "The tippe top and its point of contact",
     "1",
     (Parameter("tilt", math.radians(35), "tilt", "rad", least=0.2, most=1.3),),
-    pen.alone(2.9, lambda axes, **values: draw_contact(axes, **values)),
+    pen.alone(2.9, draw_contact),
     r"The axis leans by $\theta = {tilt:°}$. Black: the centre of mass; white: the middle of the "
     "ball. The contact slides into the paper; friction points out of it.",
     "A ball with its top cut off stands on a table, its axis e at {tilt:°} degrees from the "
@@ -107,8 +103,7 @@ def draw_energy(axes: Axes, run: SlidingTrajectory, last: int = -1) -> None:
         pen.Curve(path, look.SECOND, label="$E$", z=3),
         pen.Mark((path[0][-1:], path[1][-1:]), look.SECOND, 5),
     ]
-    pen.draw(axes, parts)
-    axes.set(xlim=(0, 180), xlabel=r"$\theta$  (degrees)", ylabel="energy  (mJ)")
+    pen.chart(axes, parts, r"$\theta$  (degrees)", "energy  (mJ)", xlim=(0, 180))
     axes.legend(loc="upper right")
 
 
@@ -123,10 +118,10 @@ def _rise(spin: float, f: float) -> Canvas:
         word = pen.Words((3.6 * k, -1.6), f"{time:g} s", (0, -8), look.NOTE, "center", size=8)
         pen.draw(flashes, [word])
     pen.paper(flashes, (-1.8, 16.2), (-2.2, 1.7))
-    curve = run.t, np.degrees(run.theta)
-    marks = pen.Mark((curve[0][rows], curve[1][rows]), look.AXIS, 4)
-    pen.draw(tilt, [pen.Curve(curve, look.FIRST), marks])
-    tilt.set(xlim=(0, SHOWN), ylim=(0, 185), xlabel="$t$  (s)", ylabel=r"$\theta$  (degrees)")
+    curve = np.column_stack([run.t, np.degrees(run.theta)])
+    parts = [pen.Curve(curve, look.FIRST), pen.Mark(curve[rows], look.AXIS, 4)]
+    limits = {"xlim": (0, SHOWN), "ylim": (0, 185)}
+    pen.chart(tilt, parts, "$t$  (s)", r"$\theta$  (degrees)", **limits)
     draw_energy(energy, run)
     return drawn
 
@@ -134,19 +129,14 @@ def _rise(spin: float, f: float) -> Canvas:
 def _film(spin: float, f: float) -> Film:
     """The ball, and its energy until now."""
     run = risen(spin, f)
-    drawn = Canvas(figsize=(look.TEXT, 2.5))
-    ball, energy = drawn.add_axes((0.0, 0.0, 0.42, 1.0)), drawn.add_axes((0.54, 0.2, 0.43, 0.74))
 
-    def show(share: float) -> None:
-        ball.clear()
-        energy.clear()
+    def show(share: float, ball: Axes, energy: Axes) -> None:
         row = 1 + round(share * (len(run.t) - 2))
         draw_ball(ball, run.e3[row])
         pen.paper(ball, (-1.9, 1.9), (-1.9, 1.9))
         draw_energy(energy, run, row)
 
-    show(0.0)
-    return Film(drawn, show)
+    return film(look.TEXT, 2.5, show, (0.0, 0.0, 0.42, 1.0), (0.54, 0.2, 0.43, 0.74))
 
 
 def _facts(spin: float, f: float) -> dict[str, Any]:
