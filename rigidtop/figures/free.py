@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -39,37 +38,40 @@ def _by_size(body: FreeBody) -> tuple[Any, tuple[float, float, float]]:
     return order, (low, middle, high)
 
 
+def _between(body: FreeBody, angle: float) -> Motion:
+    """With 2T = 1 J, from ω at an angle (rad) between the largest axis, 0, and the smallest."""
+    (small, _, large), (low, _, high) = _by_size(body)
+    omega = np.zeros(3)
+    omega[large] = math.cos(angle) / math.sqrt(high)
+    omega[small] = math.sin(angle) / math.sqrt(low)
+    return body.motion(omega=tuple(omega))
+
+
+def _edge(body: FreeBody) -> float:
+    """The angle at which the separatrix starts, where L² = 2Tλ of the middle axis (rad)."""
+    _, (low, mid, high) = _by_size(body)
+    return math.atan2(math.sqrt(high - mid), math.sqrt(mid - low))
+
+
 def on_separatrix(body: FreeBody) -> list[Motion]:
     """The motions with L² = 2Tλ of the middle axis, 2T = 1 J, that start between the other two.
 
     There are four, ± about either; none where two moments are equal.
     """
-    (small, _, large), (low, mid, high) = _by_size(body)
-    if low == mid or mid == high:
-        return []
-    starts = np.zeros((4, 3))
-    signs = np.array(list(product((1.0, -1.0), repeat=2)))
-    starts[:, large] = signs[:, 0] * math.sqrt((mid - low) / ((high - low) * high))
-    starts[:, small] = signs[:, 1] * math.sqrt((high - mid) / ((high - low) * low))
-    return [body.motion(omega=tuple(omega)) for omega in starts]
+    edge = _edge(body)
+    starts = (edge, -edge, math.pi - edge, math.pi + edge)
+    return [_between(body, angle) for angle in starts] if len({*body.moments}) == 3 else []
 
 
 def polhodes(body: FreeBody, between: int = 4) -> list[Motion]:
     """Motions with 2T = 1 J, evenly between the axes: on both sides of the separatrix, and ±."""
-    (small, _, large), (low, mid, high) = _by_size(body)
-    edge = math.atan2(math.sqrt(high - mid), math.sqrt(mid - low))
-    shares = (np.arange(between) + 0.5) / between
+    _, (low, mid, high) = _by_size(body)
+    edge, shares = _edge(body), (np.arange(between) + 0.5) / between
     around_large = edge * shares[: between * (high > mid)]
     around_small = math.pi / 2 - (math.pi / 2 - edge) * shares[: between * (mid > low)]
-    motions = []
-    for angles, axis in ((around_large, large), (around_small, small)):
-        for angle, sign in product(angles, (1.0, -1.0)):
-            omega = np.zeros(3)
-            omega[large] = math.cos(angle) / math.sqrt(high)
-            omega[small] = math.sin(angle) / math.sqrt(low)
-            omega[axis] *= sign
-            motions.append(body.motion(omega=tuple(omega)))
-    return motions
+    angles = [end for angle in around_large for end in (angle, math.pi - angle)]
+    angles += [end for angle in around_small for end in (angle, -angle)]
+    return [_between(body, float(angle)) for angle in angles]
 
 
 def polhode(motion: Motion, samples: int = 1441) -> Floats:
@@ -118,8 +120,7 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
         longer = 0.5 if k == middle else 0.28
         tip = (end + longer * np.eye(3)[k] / math.sqrt(moments.min())) @ to_paper
         parts.append(pen.Arrow(tip, rf"$\omega_{k + 1}$", lw=1.0, start=end @ to_paper))
-    pen.draw(axes, parts, view)
-    pen.paper(axes, (-1.35, 1.35), (-0.98, 1.12))
+    pen.picture(axes, parts, (-1.35, 1.35), (-0.98, 1.12), view)
 
 
 def _three(lambda1: float, lambda2: float, lambda3: float) -> str:
@@ -165,15 +166,8 @@ FLIPS = 4
 
 def draw_rates(axes: Axes, motion: Motion, t: Floats) -> None:
     """ω₁, ω₂, ω₃ (rad/s) of a motion against the time (s)."""
-    styles = (look.SECOND, look.DASH_DOT), (look.FIRST, "-"), (look.INK, look.DASHED)
-    curves = [
-        pen.Curve((t, rate), color, ls=style, label=rf"$\omega_{k + 1}$")
-        for k, (rate, (color, style)) in enumerate(
-            zip(motion.exact(t).omega.T, styles, strict=True)
-        )
-    ]
-    pen.draw(axes, [*curves, pen.Rule(y=0.0, color=look.RULE, lw=0.6, ls="-")])
-    axes.set(xlim=(t[0], t[-1]), xlabel="$t$  (s)", ylabel=r"$\omega_k$  (rad/s)")
+    curves = pen.three(t, motion.exact(t).omega)
+    pen.chart(axes, curves, "$t$  (s)", r"$\omega_k$  (rad/s)", xlim=(t[0], t[-1]))
     pen.legend_above(axes, ncols=3)
 
 
@@ -276,7 +270,8 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
         shift = (-13.0, 2.0) if k == 0 else None  # beside the way of L of a long body
         name = rf"$\mathbf{{e}}_{k + 1}$"
         parts.append(pen.Arrow(1.4 * axis, name, look.AXIS, 1.0, start=axis, shift=shift))
-    pen.draw(body_axes, [*parts, *_mark(view, in_body[0], look.L_VEC)], view)
+    limits = (-1.3, 1.3), (-1.08, 1.45)
+    pen.picture(body_axes, [*parts, _mark(view, in_body[0], look.L_VEC)], *limits, view)
 
     turn = 2 * math.pi / math.hypot(*motion.omega)  # once round, if ω is constant
     run = motion.exact(np.linspace(0.0, turn if steady else NUTATIONS * period / 2, 2401))
@@ -289,18 +284,20 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
         pen.Arrow(1.4 * UPRIGHT, look.L_VEC, lw=1.0, start=UPRIGHT),
         pen.on_sphere(first, look.GREY, lw=0.8),
         pen.on_sphere(third, look.AXIS, lw=1.5, label="_axis"),
-        *_mark(view, first[0], r"$\mathbf{e}_1$"),
-        *_mark(view, third[0], look.E3),
+        _mark(view, first[0], r"$\mathbf{e}_1$"),
+        _mark(view, third[0], look.E3),
     ]
-    pen.draw(space_axes, parts, view)
+    pen.picture(space_axes, parts, *limits, view)
+    body_axes.set_title("body frame")
+    space_axes.set_title("space frame")
 
 
-def _mark(view: View, point: Floats, words: str) -> list[pen.Part]:
+def _mark(view: View, point: Floats, words: str) -> pen.Mark:
     """A dot with a name, open where it is behind."""
     x, _, near = view(point)
     inwards = -12 * float(x), 5.0  # away from the outline of the sphere
     fill = look.INK if near > 0 else "white"
-    return [pen.Mark(point, size=4, fill=fill, z=6), pen.Words(point, words, inwards, ha="center")]
+    return pen.Mark(point, size=4, fill=fill, z=6, words=words, shift=inwards, ha="center")
 
 
 def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> Motion:
@@ -312,12 +309,7 @@ def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> 
 
 def _draw_tumbling(**values: float) -> Canvas:
     drawn = canvas(look.TEXT, 2.6)
-    left, right = drawn.subplots(1, 2)
-    draw_tumbling(left, right, _tumbling(**values))
-    left.set_title("body frame")
-    right.set_title("space frame")
-    for axes in (left, right):
-        pen.paper(axes, (-1.3, 1.3), (-1.08, 1.45))
+    draw_tumbling(*drawn.subplots(1, 2), _tumbling(**values))
     return drawn
 
 
@@ -325,86 +317,72 @@ def _lasting(seconds: float) -> str:
     return f"{said(seconds / DAY)} days" if seconds > DAY / 2 else f"{said(seconds)} s"
 
 
-def _own_axis(body: FreeBody) -> int:
-    """Which axis is that of symmetry, where two moments are equal."""
-    first, second, third = body.moments
-    return 2 if first == second else 1 if first == third else 0
-
-
-def _tumbling_course(motion: Motion) -> tuple[str, str]:
-    """What L does in the body, and what the axes do in space, in this kind of motion."""
-    kind, back = motion.regime, _lasting(2 * motion.nutation_period)
-    if kind == "steady":
-        turn = _lasting(2 * math.pi / math.hypot(*motion.omega))
-        still = np.abs(motion.omega) == np.linalg.norm(motion.omega)
-        if still[2] or still[0]:
-            rests, moves = (
-                (r"$\mathbf e_3$", r"$\mathbf e_1$")
-                if still[2]
-                else (r"$\mathbf e_1$", r"$\mathbf e_3$ (thick)")
-            )
-            ways = f"{rests} rests and {moves} goes round a circle"
-        else:
-            ways = r"$\mathbf e_3$ (thick) and $\mathbf e_1$ go round circles"
-        return (
-            r"$\mathbf L$ rests (steady)",
-            rf"the body turns about $\mathbf L$, and {ways}, back after {turn}; one turn is drawn",
-        )
-    drawn = f"{NUTATIONS} nutations are drawn"
-    if kind == "separatrix":
-        return (
-            r"$\mathbf L$ tends to the middle axis and never comes back (separatrix)",
-            r"$\mathbf e_3$ (thick) and $\mathbf e_1$ turn about $\mathbf L$ and never come back, "
-            "as the body comes to turn about its middle axis",
-        )
-    turn = _lasting(2 * math.pi / abs(motion.mean_precession))
-    if kind == "regular precession":
-        own = _own_axis(FreeBody(*motion.body.moments))
-        circles = (r"$\mathbf e_1$", r"$\mathbf e_2$", r"$\mathbf e_3$ (thick)")[own]
-        rest = (
-            r"$\mathbf e_3$ (thick) does",
-            r"$\mathbf e_3$ (thick) and $\mathbf e_1$ do",
-            r"$\mathbf e_1$ does",
-        )[own]
-        return (
-            rf"$\mathbf L$ goes round a circle and comes back after {back} ({kind})",
-            rf"{circles} goes round a circle about $\mathbf L$, back after {turn}, and {rest} not "
-            f"in general come back; {drawn}",
-        )
-    return (
-        rf"$\mathbf L$ comes back after {back} ({kind})",
-        rf"this axis turns about $\mathbf L$, on the mean once in {turn}, and $\mathbf e_3$ "
-        rf"(thick) and $\mathbf e_1$ never come back; {drawn}",
-    )
-
-
+FIRST, SECOND, THIRD = r"$\mathbf e_1$", r"$\mathbf e_2$", r"$\mathbf e_3$ (thick)"
 NOT_CLOSED = "the tips of e3 and of e1 wind around the upright L, and their paths do not close"
-IN_WORDS = {
+
+COURSES = {
     "steady": (
+        r"$\mathbf L$ rests ({kind})",
+        r"the body turns about $\mathbf L$, and {ways}, back after {turn}; one turn is drawn",
         "L rests at a point",
         "the tips of e3 and of e1 go round circles about the upright L, or rest on it",
     ),
     "separatrix": (
+        r"$\mathbf L$ tends to the middle axis and never comes back ({kind})",
+        rf"{THIRD} and {FIRST} turn about $\mathbf L$ and never come back, as the body comes to "
+        "turn about its middle axis",
         "the tip of L goes on a curve to the middle axis, which does not close",
         NOT_CLOSED,
     ),
     "regular precession": (
+        r"$\mathbf L$ goes round a circle and comes back after {back} ({kind})",
+        r"{circles} goes round a circle about $\mathbf L$, back after {turn}, and {others} not in "
+        "general come back; {nutations} nutations are drawn",
         "the tip of L goes round a circle about the axis of symmetry",
         "the tips of e3 and of e1 go around the upright L; that of the axis of symmetry, where it "
         "is one of them, goes round a circle",
     ),
+    "": (
+        r"$\mathbf L$ comes back after {back} ({kind})",
+        rf"this axis turns about $\mathbf L$, on the mean once in {{turn}}, and {THIRD} and "
+        rf"{FIRST} never come back; {{nutations}} nutations are drawn",
+        "the tip of L goes on a closed curve, of the kind {kind}",
+        NOT_CLOSED,
+    ),
 }
+"""What L does in the body and the axes do in space, by the kind of motion: printed, and spoken."""
+
+
+def _ways(omega: Floats) -> str:
+    """What e₃ and e₁ do where ω is constant."""
+    still = np.abs(omega) == np.linalg.norm(omega)
+    if still[2]:
+        return rf"$\mathbf e_3$ rests and {FIRST} goes round a circle"
+    if still[0]:
+        return f"{FIRST} rests and {THIRD} goes round a circle"
+    return f"{THIRD} and {FIRST} go round circles"
 
 
 def _tumbling_facts(
     omega1: float, omega2: float, omega3: float, **moments: float
 ) -> dict[str, Any]:
     motion = _tumbling(omega1, omega2, omega3, **moments)
-    in_body, in_space = _tumbling_course(motion)
-    closed = f"the tip of L goes on a closed curve, of the kind {motion.regime}", NOT_CLOSED
-    left, right = IN_WORDS.get(motion.regime, closed)
-    three = _three(**moments)
-    return {"three": three, "body": in_body, "space": in_space, "left": left, "right": right}
+    steady = motion.regime == "steady"
+    rate = math.hypot(*motion.omega) if steady else abs(motion.mean_precession)
+    first, second, third = motion.body.moments
+    own = 2 if first == second else 1 if first == third else 0  # the axis of symmetry
+    course = COURSES.get(motion.regime, COURSES[""])
+    return {
+        **dict(zip(("body", "space", "left", "right"), course, strict=True)),
+        "kind": motion.regime,
+        "three": _three(**moments),
+        "ways": _ways(np.array(motion.omega)),
+        "back": _lasting(2 * motion.nutation_period),
+        "turn": _lasting(2 * math.pi / rate),
+        "circles": (FIRST, SECOND, THIRD)[own],
+        "others": (f"{THIRD} does", f"{THIRD} and {FIRST} do", f"{FIRST} does")[own],
+        "nutations": NUTATIONS,
+    }
 
 
 TUMBLING = Drawing(

@@ -91,18 +91,22 @@ def _end_of(path: SlidingTrajectory) -> list[float]:
 
 def draw_tilt(axes: Axes, path: SlidingTrajectory, until: float) -> None:
     """θ(t) (degrees), and when it has come down to `until` (rad)."""
-    parts: list[pen.Part] = [
-        pen.Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")
-    ]
+    parts: list[pen.Part] = [_tilt(path)]
     then = crossing(path, until)
     if then is not None:
-        place = then, math.degrees(until)
-        parts += [
-            pen.Mark(place, look.SECOND, 4, label="_until"),
-            pen.Words(place, f"{then:.3g} s", (5, 3)),
-        ]
-    pen.draw(axes, parts)
-    axes.set(ylim=(0, None), ylabel=r"$\theta$  (degrees)")
+        parts.append(_time(then, until, "_until", (5, 3)))
+    pen.chart(axes, parts, "$t$  (s)", r"$\theta$  (degrees)", ylim=(0, None))
+
+
+def _tilt(path: SlidingTrajectory) -> pen.Curve:
+    return pen.Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")
+
+
+def _time(then: float, tilt: float, label: str, shift: pen.Shift) -> pen.Mark:
+    """When θ comes to a tilt (rad), with the number on the side to which it is shifted."""
+    words, ha = f"{then:.3g} s", "left" if shift[0] > 0 else "right"
+    name: Any = {"words": words, "shift": shift, "ha": ha, "ink": look.INK}
+    return pen.Mark((then, math.degrees(tilt)), look.SECOND, 4, label=label, **name)
 
 
 def gains(path: SlidingTrajectory) -> dict[str, Floats]:
@@ -138,18 +142,17 @@ def draw_budget(axes: Axes, path: SlidingTrajectory) -> None:
         above = below + 1e3 * gain
         bands.append(pen.Band(path.t, below, above, FILLS[name], 1.0, name))
         below = above
-    loss = pen.Curve(
-        (path.t, 1e3 * spent(path)), look.INK, 1.1, look.DASHED, label="lost by the spin"
-    )
-    pen.draw(axes, [*bands, loss])
+    lost, label = 1e3 * spent(path), "lost by the spin"
+    loss = pen.Curve((path.t, lost), look.INK, 1.1, look.DASHED, label=label)
+    pen.chart(axes, [*bands, loss], "$t$  (s)", "energy  (mJ)")
     low = min(0.0, axes.get_ylim()[0]) if below.min() < 0 else 0.0
-    axes.set(ylim=(low, None), ylabel="energy  (mJ)")
+    axes.set(ylim=(low, None))
 
 
 def draw_slip(axes: Axes, path: SlidingTrajectory) -> None:
     """|v(t)| of the contact over the table (m/s)."""
-    pen.draw(axes, [pen.Curve((path.t, np.hypot(*path.slip.T)), look.FIRST, 1.3, label="_slip")])
-    axes.set(ylim=(0, None), ylabel="slip  (m/s)")
+    slip = pen.Curve((path.t, np.hypot(*path.slip.T)), look.FIRST, 1.3, label="_slip")
+    pen.chart(axes, [slip], "$t$  (s)", "slip  (m/s)", ylim=(0, None))
 
 
 def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
@@ -158,14 +161,13 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
     rest = stands(path)
     first = len(track) if rest is None else int(np.searchsorted(path.t, rest))
     later = "rolls, slips" if slips_again(path) else "rolls"
-    parts: list[pen.Part] = [pen.Mark((track[0, 0], track[0, 1]))]
+    parts: list[pen.Part] = [pen.Mark(track[0])]
     for piece, words, color, style in (
         (track[: first + 1], "slides", look.FIRST, "-"),
         (track[first:], later, look.SECOND, look.DASHED),
     ):
         if len(piece) > 1:
-            curve = piece[:, 0], piece[:, 1]
-            parts.append(pen.Curve(curve, color, 1.3, style, label=f"_{words}"))
+            parts.append(pen.Curve(piece, color, 1.3, style, label=f"_{words}"))
         if len(piece) > 0.05 * len(track):
             k = len(piece) // 2
             along = piece[k + 1] - piece[k - 1]
@@ -173,10 +175,9 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
             # Inside the bend there is room.
             right, up = beside * math.copysign(1, beside @ (track.mean(axis=0) - piece[k]))
             sides = "left" if right > 0 else "right", "bottom" if up > 0 else "top"
-            parts.append(pen.Words((piece[k, 0], piece[k, 1]), words, (right, up), color, *sides))
-    pen.draw(axes, parts)
+            parts.append(pen.Words(piece[k], words, (right, up), color, *sides))
+    pen.chart(axes, parts, "$x$  (cm)", "$y$  (cm)")
     axes.set_aspect("equal", adjustable="datalim")
-    axes.set(xlabel="$x$  (cm)", ylabel="$y$  (cm)")
 
 
 def _draw_rising(until: float, **values: float) -> Canvas:
@@ -189,7 +190,7 @@ def _draw_rising(until: float, **values: float) -> Canvas:
     draw_track(track, path)
     rest = stands(path)
     for axes in (tilt, energy, slip):
-        axes.set(xlim=(0, path.t[-1]), xlabel="$t$  (s)")
+        axes.set(xlim=(0, path.t[-1]))
         if rest is not None:
             pen.draw(axes, [pen.Rule(x=rest, color=look.INK, lw=0.8, label="_standstill")])
     if rest is not None:
@@ -206,15 +207,14 @@ def _rising_facts(until: float, **values: float) -> dict[str, Any]:
     shares = {name: float(gain[-1]) / lost for name, gain in gains(path).items()}
     slips = "all the {shown} s that are shown"
     if rest is not None:
-        later = "then rolls, but slips again and again" if slips_again(path) else "then rolls"
-        slips = f"until {{rest}} s (dotted), {later}"
+        later = ", but slips again and again" if slips_again(path) else ""
+        slips = f"until {{rest}} s (dotted), then rolls{later}"
+    reached = "is down to {until:°} after {then} s"
     return _facts_of(
         path,
         then=then,
         lowest=float(path.theta.min()),
-        reached="is down to {until:°} after {then} s"
-        if then is not None
-        else "comes down to {lowest:°}",
+        reached="comes down to {lowest:°}" if then is None else reached,
         slip=float(np.hypot(*path.slip[0])),
         slips=slips,
         shown=float(path.t[-1]),
@@ -289,15 +289,13 @@ def draw_waking(
     seen = crossing(path, visible)
     asleep = float(np.interp(-sleeping, -path.omega[:, 2], path.t))
     upright: list[pen.Part] = [pen.Rule(x=asleep, label="_asleep")]
-    start = pen.Mark((path.t[0], math.degrees(path.theta[0])))
-    theta = pen.Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")
-    parts: list[pen.Part] = [theta, start]
+    parts: list[pen.Part] = [_tilt(path), pen.Mark((path.t[0], math.degrees(path.theta[0])))]
     if seen is not None:
-        place = seen, math.degrees(visible)
         upright.append(pen.Rule(x=seen, label="_seen"))
-        parts.append(pen.Mark(place, look.SECOND, 4, label="_visible"))
-        parts.append(pen.Words(place, f"{seen:.3g} s", (-5, 2), ha="right"))
-    pen.draw(tilt, [*parts, *upright])
+        parts.append(_time(seen, visible, "_visible", (-5, 2)))
+    limits = {"xlim": (0, path.t[-1])}
+    parts += upright
+    pen.chart(tilt, parts, "", r"$\theta$  (degrees)", yscale="log", **limits)
     omega3 = pen.Curve((path.t, path.omega[:, 2]), look.FIRST, 1.3, label="_omega3")
     # Beside the curve, which is above this line at first and below it in the end.
     early = asleep < path.t[-1] / 2
@@ -305,13 +303,10 @@ def draw_waking(
     shift, side = ((0, 4), "bottom") if early else ((0, -4), "top")
     formula = r"$\frac{2}{\lambda_3}\sqrt{(\lambda_1+MR^2)MgR}$"
     words = pen.Words((middle, sleeping), formula, shift, look.NOTE, "center", side)
-    pen.draw(spin, [omega3, *upright, pen.Rule(y=sleeping, label="_sleeping"), words])
+    parts = [omega3, *upright, pen.Rule(y=sleeping, label="_sleeping"), words]
+    pen.chart(spin, parts, "$t$  (s)", r"$\omega_3$  (rad/s)", **limits)
     low, high = spin.get_ylim()
     spin.set_ylim(low, max(high, sleeping + 0.3 * (high - low)))
-    for axes in (tilt, spin):
-        axes.set_xlim(0, path.t[-1])
-    tilt.set(yscale="log", ylabel=r"$\theta$  (degrees)")
-    spin.set(ylabel=r"$\omega_3$  (rad/s)", xlabel="$t$  (s)")
 
 
 def _draw_waking(**values: float) -> Canvas:

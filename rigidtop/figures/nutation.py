@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import distance_transform_edt, label
 
@@ -50,10 +50,8 @@ def draw_path(axes: Axes, e3: ArrayLike, title: str = "") -> None:
         pen.on_sphere(path, look.FIRST, lw=1.3, label="_path"),
         pen.Arrow(1.45 * UPRIGHT, look.Z, lw=0.9, start=UPRIGHT, shift=(7, -3)),
     ]
-    pen.draw(axes, parts, View(elevation=0.5))
-    pen.paper(axes, (-1.04, 1.04), (-1.04, 1.34))
-    if title:
-        axes.set_title(title, color=look.INK)
+    pen.picture(axes, parts, (-1.04, 1.04), (-1.04, 1.34), View(elevation=0.5))
+    axes.set_title(title, color=look.INK)
 
 
 def nutation_times(motion: TopMotion, samples: int = 2400) -> Floats:
@@ -94,8 +92,8 @@ def _draw_paths(**values: float) -> Canvas:
         draw_path(sphere, run.e3, motion.regime)
         few = run.t <= 4 * motion.nutation_period
         turned = np.degrees(run.phi[few] - run.phi[0])
-        pen.draw(strip, [pen.Curve((turned, np.degrees(run.theta[few])), look.FIRST, 1.1)])
-        strip.set_xlabel(r"$\phi$  (degrees)")
+        curve = pen.Curve((turned, np.degrees(run.theta[few])), look.FIRST, 1.1)
+        pen.chart(strip, [curve], r"$\phi$  (degrees)", "")
     strips[0].set_ylabel(r"$\theta$  (degrees)")
     strips[0].margins(y=0.1)
     strips[0].invert_yaxis()
@@ -136,18 +134,17 @@ PATHS = Drawing(
 def draw_theta(axes: Axes, motion: TopMotion, t: Floats) -> None:
     """θ(t) (degrees) between its turning points."""
     limits = [pen.Rule(y=math.degrees(angle), lw=0.8) for angle in motion.turning_points]
-    theta = np.degrees(motion.exact(t).theta)
-    pen.draw(axes, [pen.Curve((t, theta), look.FIRST, 1.3, label="_theta"), *limits])
-    axes.set_ylabel(r"$\theta$  (degrees)")
+    theta = pen.Curve((t, np.degrees(motion.exact(t).theta)), look.FIRST, 1.3, label="_theta")
+    pen.chart(axes, [theta, *limits], "", r"$\theta$  (degrees)")
 
 
 def draw_phi(axes: Axes, motion: TopMotion, t: Floats) -> None:
     """φ(t) (degrees), and what it would be at its mean rate."""
-    phi, mean = motion.exact(t).phi, motion.mean_precession
+    phi, mean = np.degrees(motion.exact(t).phi), np.degrees(motion.mean_precession)
+    parts = [pen.Curve((t, phi), look.FIRST, 1.3, label="_phi")]
     if math.isfinite(mean):
-        pen.draw(axes, [pen.Curve((t, np.degrees(phi[0] + mean * t)), look.GREY, 0.9, look.DASHED)])
-    pen.draw(axes, [pen.Curve((t, np.degrees(phi)), look.FIRST, 1.3, label="_phi")])
-    axes.set_ylabel(r"$\phi$  (degrees)")
+        parts.insert(0, pen.Curve((t, phi[0] + mean * t), look.GREY, 0.9, look.DASHED))
+    pen.chart(axes, parts, "", r"$\phi$  (degrees)")
 
 
 def draw_energies(axes: Axes, motion: TopMotion, t: Floats) -> None:
@@ -161,11 +158,10 @@ def draw_energies(axes: Axes, motion: TopMotion, t: Floats) -> None:
         pen.Curve((t, potential), look.FIRST, label="$V$"),
         pen.Curve((t, energy), look.INK, ls=look.DASHED, label="$E$"),
     ]
-    pen.draw(axes, curves)
+    pen.chart(axes, curves, "", "energy  (J)")
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.34 * (high - low))
     axes.legend(loc="upper center", ncols=3, handlelength=2.6, borderaxespad=0.0)
-    axes.set_ylabel("energy  (J)")
 
 
 def _start(
@@ -211,17 +207,16 @@ def _motion_facts(theta: float, theta_dot: float, **others: float) -> dict[str, 
     motion = _start(theta=theta, theta_dot=theta_dot, **others)
     first, last = np.degrees(motion.turning_points)
     rests = motion.regime in AT_REST
+    course = (
+        r"$\theta$ runs between ${first}^\circ$ and ${last}^\circ$ (dotted), there and back in "
+        r"{period} s; dashed, $\phi$ at its mean rate, {mean} rad/s."
+    )
+    if motion.regime == "steady":
+        course = r"$\theta$ stays ${first}^\circ$, and $\phi$ goes on at {mean} rad/s."
     if rests:
         course = (
             r"$\theta$ stays ${first}^\circ$; $\phi$ is drawn at the rate of a top nearby, "
             "{mean} rad/s."
-        )
-    elif motion.regime == "steady":
-        course = r"$\theta$ stays ${first}^\circ$, and $\phi$ goes on at {mean} rad/s."
-    else:
-        course = (
-            r"$\theta$ runs between ${first}^\circ$ and ${last}^\circ$ (dotted), there and back in "
-            r"{period} s; dashed, $\phi$ at its mean rate, {mean} rad/s."
         )
     return facts_of(
         motion.body,
@@ -257,14 +252,15 @@ AREAS = "waves", "loops"
 """Regimes that fill areas, of which the loops are hatched; the others are lines and points."""
 
 
-def cusps(spins: Floats, rates: Floats) -> pen.Curve:
-    """Where φ̇ vanishes at a turning point."""
-    return pen.Curve((spins, rates), look.INK, 1.0, look.DASHED, label="_cusps")
+LINES: Mapping[str, dict[str, Any]] = {
+    "steady": {"color": look.SECOND, "lw": 1.6},
+    "cusps": {"lw": 1.0, "ls": look.DASHED},  # φ̇ vanishes at a turning point
+    "vertical": {"lw": 1.0, "ls": look.DOTTED},  # p_φ = ±p_ψ
+}
 
 
-def through_the_vertical(spins: Floats, rates: Floats) -> pen.Curve:
-    """Where p_φ = ±p_ψ."""
-    return pen.Curve((spins, rates), look.INK, 1.0, look.DOTTED, label="_vertical")
+def _line(kind: str, spins: ArrayLike, rates: ArrayLike) -> pen.Curve:
+    return pen.Curve((spins, rates), label=f"_{kind}", **LINES[kind])
 
 
 def regime_map(top: HeavyTop, theta: float, spins: Floats, rates: Floats) -> NDArray[np.str_]:
@@ -299,18 +295,19 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
         axes.axhspan(-phi_dot, phi_dot, fc="#c9d6e3", ec=look.RULE, hatch="////", lw=0)
     elif loops.any():
         axes.contourf(spins, rates, loops.astype(float), **hatched)
-    weight, high, low = top.M * top.g * top.R, 1 + math.cos(theta), 1 - math.cos(theta)
+    weight, ratio = top.M * top.g * top.R, top.lambda3 / top.lambda1
     whole = np.linspace(0.0, omega3, 2)
-    lines = [
-        cusps(whole, 0 * whole),
-        through_the_vertical(whole, -top.lambda3 * whole / (top.lambda1 * low)),
+    lines = [pen.Curve(([], []), label=kind, **style) for kind, style in LINES.items()]
+    lines += [
+        _line("cusps", whole, 0 * whole),
+        _line("vertical", whole, -ratio * whole / (1 - math.cos(theta))),
     ]
     least = spin_to_the_upright(top, theta)
     if least < omega3:
         fast = np.linspace(least, omega3, 200)[1:]
         lines += [
-            cusps(fast, 2 * weight / (top.lambda3 * fast)),
-            through_the_vertical(fast, top.lambda3 * fast / (top.lambda1 * high)),
+            _line("cusps", fast, 2 * weight / (top.lambda3 * fast)),
+            _line("vertical", fast, ratio * fast / (1 + math.cos(theta))),
         ]
     lines += _steady_lines(top, theta, omega3, phi_dot)
     names = [
@@ -318,17 +315,10 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
         for name in AREAS
         for row, column in _middles(regimes == name, rates)
     ]
-    pen.draw(axes, [*lines, *names])
-    axes.set(
-        xlim=(0, omega3),
-        ylim=(-phi_dot, phi_dot),
-        xlabel=r"$\omega_3$  (rad/s)",
-        ylabel=r"$\dot\phi$ at the start  (rad/s)",
-    )
-    kinds = {"steady": (look.SECOND, "-"), "cusps": (look.INK, look.DASHED)}
-    kinds["vertical"] = look.INK, look.DOTTED
-    handles = [Line2D([], [], color=c, ls=ls, label=name) for name, (c, ls) in kinds.items()]
-    pen.legend_above(axes, handles=handles, ncols=3)
+    limits = {"xlim": (0, omega3), "ylim": (-phi_dot, phi_dot)}
+    across, up = r"$\omega_3$  (rad/s)", r"$\dot\phi$ at the start  (rad/s)"
+    pen.chart(axes, [*lines, *names], across, up, **limits)
+    pen.legend_above(axes, ncols=3)
 
 
 def _steady_lines(top: HeavyTop, theta: float, omega3: float, phi_dot: float) -> list[pen.Curve]:
@@ -338,10 +328,9 @@ def _steady_lines(top: HeavyTop, theta: float, omega3: float, phi_dot: float) ->
     spins = least + (omega3 - least) * np.linspace(0.0, 1.0, 300)[1:] ** 2
     slow, fast = np.array([top.steady_precession(theta, spin) for spin in spins]).T
     if least:  # both begin at one point
-        both = np.append(spins[::-1], spins), np.append(fast[::-1], slow)
-        return [pen.Curve(both, look.SECOND, 1.6)]
+        return [_line("steady", np.append(spins[::-1], spins), np.append(fast[::-1], slow))]
     roots = [np.where(np.abs(root) < 10 * phi_dot, root, np.nan) for root in (slow, fast)]
-    return [pen.Curve((spins, root), look.SECOND, 1.6) for root in roots]
+    return [_line("steady", spins, root) for root in roots]
 
 
 def _middles(inside: NDArray[np.bool_], rates: Floats) -> list[tuple[int, int]]:
@@ -361,16 +350,12 @@ def _regimes_facts(body: HeavyTop, theta: float, omega3: float, phi_dot: float) 
     _leaning(theta)
     least, reached = body.smallest_spin(theta), spin_to_the_upright(body, theta)
     points = np.linspace(0.05, 1, 20) * omega3, np.linspace(-0.99, 0.99, 20) * phi_dot
-    upright = (
-        " The axis comes to the upright, on the upper dotted line, from {reached} rad/s on."
-        if 0 < reached < omega3
-        else ""
-    )
+    upright = " The axis comes to the upright, on the upper dotted line, from {reached} rad/s on."
     return facts_of(
         body,
         least=least,
         reached=reached,
-        upright=upright,
+        upright=upright if 0 < reached < omega3 else "",
         begins=r" It begins at $\omega_3 = {least}$ rad/s." if 0 < least < omega3 else "",
         loops=float(np.mean(regime_map(body, theta, *points) == "loops")),
     )

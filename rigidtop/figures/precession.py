@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
@@ -65,9 +64,8 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
     if least:
         formula = r"$\frac{2}{\lambda_3}\sqrt{\lambda_1 MgR\,\cos\theta}$"
         parts += [pen.Rule(x=least), pen.Words((least, high), formula, (4, -1), va="top")]
-    pen.draw(axes, parts)
-    axes.set(xlim=(0.5 * least, last), ylim=(low, high))
-    axes.set(xlabel=r"$\omega_3$  (rad/s)", ylabel=r"$\Omega$  (rad/s)")
+    limits = {"xlim": (0.5 * least, last), "ylim": (low, high)}
+    pen.chart(axes, parts, r"$\omega_3$  (rad/s)", r"$\Omega$  (rad/s)", **limits)
 
 
 def _rates_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, Any]:
@@ -158,27 +156,20 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
         pen.Rule(y=0.01, lw=0.8),
         pen.Words((epsilon[0], 0.01), "1 %", (4, 3), look.NOTE),
     ]
+    roots = (look.FIRST, "-", r"$\Omega_-$"), (look.SECOND, look.DASHED, r"$\Omega_+$")
     for order, width, words in ((0, 1.5, "leading order"), (1, 1.0, "next order")):
-        for root, (color, style) in enumerate(((look.FIRST, "-"), (look.SECOND, look.DASHED))):
-            parts.append(pen.Curve((epsilon, lines[order, root]), color, width, style))
+        for root, (color, style, name) in enumerate(roots):
+            errors_of = epsilon, lines[order, root]
+            label = "_" if order else name
+            parts.append(pen.Curve(errors_of, color, width, style, label=label))
             parts.append(pen.Mark((here, float(dots[order, root, 0])), color))
         k = 90 + 40 * order
         place = float(epsilon[k]), float(lines[order].max(axis=0)[k])
         parts.append(pen.Words(place, words, (-4, 4), ha="right"))
-    pen.draw(axes, parts)
-    axes.set(
-        xscale="log",
-        yscale="log",
-        xlim=(epsilon[0], 0.4),
-        ylim=(float(lines[1].min()) / 3, 2.0),
-        xlabel=r"$\epsilon = \lambda_1 MgR\,\cos\theta/(\lambda_3\omega_3)^2$",
-        ylabel="relative error",
-    )
-    handles = [
-        Line2D([], [], color=look.FIRST, label=r"$\Omega_-$"),
-        Line2D([], [], color=look.SECOND, ls=look.DASHED, label=r"$\Omega_+$"),
-    ]
-    axes.legend(handles=handles, loc="lower right", handlelength=2.2)
+    limits = {"xlim": (epsilon[0], 0.4), "ylim": (float(lines[1].min()) / 3, 2.0)}
+    across = r"$\epsilon = \lambda_1 MgR\,\cos\theta/(\lambda_3\omega_3)^2$"
+    pen.chart(axes, parts, across, "relative error", xscale="log", yscale="log", **limits)
+    axes.legend(loc="lower right", handlelength=2.2)
 
 
 def _asymptotics_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, Any]:
@@ -233,13 +224,7 @@ def bound_of_angle(motion: TopMotion) -> float:
 
 def largest_sine(motion: TopMotion) -> float:
     """The largest sin θ between the turning points."""
-    first, last = motion.turning_points
-    return 1.0 if first <= math.pi / 2 <= last else max(math.sin(first), math.sin(last))
-
-
-def _at_lowest(motion: TopMotion) -> float:
-    """ω across e₃ (rad/s) at the lowest point of a top that is let go with ω along e₃."""
-    return float(parallel.fastest_across(motion.body, motion.turning_points[0], motion.omega[2]))
+    return math.sin(float(np.clip(math.pi / 2, *motion.turning_points)))
 
 
 def _widest_across(motion: TopMotion) -> float:
@@ -254,7 +239,8 @@ def largest_angle(motion: TopMotion) -> float:
 
 def widest_between(motion: TopMotion) -> bool:
     """Whether the angle is largest on the way down, not at the lowest point."""
-    return _at_lowest(motion) > _widest_across(motion)
+    lowest = parallel.fastest_across(motion.body, motion.turning_points[0], motion.omega[2])
+    return float(lowest) > _widest_across(motion)
 
 
 def _over_nutations(motion: TopMotion) -> Floats:
@@ -290,10 +276,9 @@ def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
         pen.Rule(y=bound, color=look.SECOND, lw=1.1, ls=look.DASHED, label="_bound"),
         pen.Words((0.0, bound), formula, (4, 5), look.SECOND, va="bottom"),
     ]
-    pen.draw(axes, parts)
-    ylabel = r"angle of $\mathbf{L}$ and $\boldsymbol{\omega}$  (degrees)"
-    limits = (0, times[-1]), (0, 1.3 * bound or 1.0)
-    axes.set(xlim=limits[0], ylim=limits[1], xlabel="$t$  (s)", ylabel=ylabel)
+    up = r"angle of $\mathbf{L}$ and $\boldsymbol{\omega}$  (degrees)"
+    limits = {"xlim": (0, times[-1]), "ylim": (0, 1.3 * bound or 1.0)}
+    pen.chart(axes, parts, "$t$  (s)", up, **limits)
 
 
 def _parallel_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, Any]:
