@@ -74,7 +74,7 @@ def draw_rotation(
         pen.Curve(way, ANGLE, 1.4, z=4, head=abs(angle) > 0.1),
         pen.Words(way[at], symbol, (right, up), ANGLE, "center", "center", 11),
     ]
-    pen.draw(axes, parts, VIEW)
+    pen.picture(axes, parts, (-1.1, 1.42), (-1.05, 1.5), VIEW)
 
 
 def turns(sequence: str, *angles: float) -> list[tuple[Floats, float, int, str]]:
@@ -95,7 +95,6 @@ def _draw(sequence: str, *angles: float) -> Canvas:
     for i, (axes, turned) in enumerate(all_turned):
         draw_rotation(axes, attitudes[i], attitudes[i + 1], turned, NAMES[sequence][i])
         axes.set_title(f"({'i' * (i + 1)})  {turned[3]} about {about[i]}", color=look.INK)
-        pen.paper(axes, (-1.1, 1.42), (-1.05, 1.5))
     return drawn
 
 

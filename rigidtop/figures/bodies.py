@@ -7,8 +7,10 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from matplotlib.axes import Axes
+from scipy.optimize import brentq
 
 from rigidtop.errors import RigidtopError
+from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.rigid import SymmetricTop
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
@@ -50,6 +52,15 @@ def facts_of(top: SymmetricTop, **more: Any) -> dict[str, Any]:
         "start": r"$\theta = {theta:°}$ and $\omega_3 = {omega3}$ rad/s",
         **more,
     }
+
+
+def time_to(motion: TopMotion, theta: float) -> float:
+    """When a top that is let go, and leans ever more at first, leans by `theta` (rad), in s."""
+
+    def above(t: float) -> float:
+        return float(motion.exact(t).theta[0]) - theta
+
+    return float(brentq(above, 0.0, motion.nutation_period / 2, xtol=1e-14, rtol=1e-13))
 
 
 def vertical(theta: float) -> bool:

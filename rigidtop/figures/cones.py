@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from rigidtop.figures import picture as pen
 from rigidtop.figures import solids
 from rigidtop.figures import style as look
-from rigidtop.figures.drawing import Drawing, Film, one
+from rigidtop.figures.drawing import Drawing, Film, film, one
 from rigidtop.figures.space import UPRIGHT, View, circle, ring, unit
 from rigidtop.figures.style import Canvas, Floats, canvas
 from rigidtop.motion.body import FreeBody
@@ -57,21 +57,19 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
     directions = three_directions(motion, space=space)
     upright = directions[2 if space else 0]
     parts: list[pen.Part] = []
-    for direction, words, color, length, alpha in zip(
-        directions,
-        (look.E3, look.OMEGA_VEC, look.L_VEC),
-        (look.AXIS, look.OMEGA, look.MOMENTUM),
-        (1.0, 1.06, 1.18),
-        (0.05, 0.12, 0.05),
-        strict=True,
-    ):
+    looks = (
+        (look.E3, look.AXIS, 1.0, 0.05),
+        (look.OMEGA_VEC, look.OMEGA, 1.06, 0.12),
+        (look.L_VEC, look.MOMENTUM, 1.18, 0.05),
+    )
+    for direction, (words, color, length, alpha) in zip(directions, looks, strict=True):
         angle = angle_between(upright, direction)
         if angle > 1e-9:
             parts += solids.cone_mantle(circle(upright, angle, length=length), color, alpha)
         high = 1.35 if direction is upright else length  # its name above the rims
         parts.append(pen.Arrow(high * direction, words, color, 1.5))
-    pen.draw(axes, parts)
-    pen.paper(axes, (-1.0, 1.0), (-0.03, 1.4))
+    pen.picture(axes, parts, (-1.0, 1.0), (-0.03, 1.4))
+    axes.set_title("space frame" if space else "body frame")
 
 
 def angle_between(first: Floats, second: Floats) -> float:
@@ -81,19 +79,9 @@ def angle_between(first: Floats, second: Floats) -> float:
 
 def _cones(**values: float) -> Canvas:
     drawn = canvas(look.TEXT, 2.15)
-    motion = free_motion(**values)
-    left, right = drawn.subplots(1, 2)
-    draw_cones(left, motion, space=False)
-    draw_cones(right, motion, space=True)
-    left.set_title("body frame")
-    right.set_title("space frame")
+    for k, axes in enumerate(drawn.subplots(1, 2)):
+        draw_cones(axes, free_motion(**values), space=bool(k))
     return drawn
-
-
-def _rates(motion: Motion) -> tuple[float, float]:
-    """Ω_b of (3.40), and Ω_s: how fast the plane turns in the body and in space."""
-    lambda1, _, lambda3 = motion.body.moments
-    return (lambda1 - lambda3) * motion.omega[2] / lambda1, motion.mean_precession
 
 
 def _relation(lambda1: float, lambda3: float) -> str:
@@ -103,10 +91,10 @@ def _relation(lambda1: float, lambda3: float) -> str:
 def _cones_facts(lambda1: float, lambda3: float, **omega: float) -> dict[str, Any]:
     motion = free_motion(lambda1, lambda3, **omega)
     e3, *others = three_directions(motion, space=False)
-    in_body, in_space = _rates(motion)
+    in_body = (lambda1 - lambda3) * motion.omega[2] / lambda1  # Ω_b of (3.40)
     tilt, lean = (angle_between(e3, other) for other in others)
     facts = {"relation": _relation(lambda1, lambda3), "tilt": tilt, "lean": lean}
-    return {**facts, "in_body": in_body, "in_space": in_space}
+    return {**facts, "in_body": in_body, "in_space": motion.mean_precession}
 
 
 CONES = Drawing(
@@ -135,11 +123,11 @@ STRIPES = 12
 """Lines on each cone, so that the rolling can be seen."""
 
 
-def draw_rolling_cones(axes: Axes, motion: Motion, t: float = 0.0) -> None:
+def draw_rolling_cones(axes: Axes, motion: Motion, t: float = 0.0, low: float = -0.12) -> None:
     """The body cone, fixed in the body, on the space cone at the time `t` (s), in the space frame.
 
     They touch along ω, which is the line that is at rest for a moment; L is upright.  Both have
-    the length 1 along their mantles.
+    the length 1 along their mantles.  The lower edge of the paper is at `low`.
     """
     view, run = View(elevation=0.34), motion.exact([0.0, t])
     e3, _, momentum = three_directions(motion, space=True)
@@ -158,7 +146,9 @@ def draw_rolling_cones(axes: Axes, motion: Motion, t: float = 0.0) -> None:
         pen.Arrow(1.32 * UPRIGHT, look.L_VEC, look.MOMENTUM, 1.3),
         pen.Arrow(1.2 * contact, look.OMEGA_VEC, look.OMEGA, 1.9, shift=aside, z=6),
     ]
-    pen.draw(axes, parts, view)
+    pen.picture(axes, parts, (-1.3, 1.3), (low, 1.45), view)
+    lambda1, _, lambda3 = motion.body.moments
+    axes.set_title(rf"$\lambda_1 {_relation(lambda1, lambda3)} \lambda_3$")
 
 
 def _striped(
@@ -187,30 +177,19 @@ def _rolling(lambda1: float, lambda3: float, lambda3_right: float, **omega: floa
 
 
 def _draw_rolling(**values: float) -> Canvas:
-    return _rolling_cones(-0.12, **values).canvas
+    return _rolling_film(-0.12, **values).canvas
 
 
-def _rolling_film(**values: float) -> Film:
-    """With room below for a body cone that comes towards the eye."""
-    return _rolling_cones(-0.5, **values)
-
-
-def _rolling_cones(low: float, **values: float) -> Film:
-    """A turn of each about L; `low` is the lower edge of the paper."""
-    drawn = Canvas(figsize=(look.TEXT, 2.3))
-    axes = [drawn.add_axes((left, 0.0, 0.48, 0.9)) for left in (0.01, 0.51)]
+def _rolling_film(low: float = -0.5, **values: float) -> Film:
+    """A turn of each about L, with room below for a body cone that comes towards the eye."""
     motions = _rolling(**values)
 
-    def show(share: float) -> None:
-        for each, motion in zip(axes, motions, strict=True):
-            each.clear()
-            draw_rolling_cones(each, motion, share * 2 * math.pi / motion.mean_precession)
-            pen.paper(each, (-1.3, 1.3), (low, 1.45))
-            lambda1, _, lambda3 = motion.body.moments
-            each.set_title(rf"$\lambda_1 {_relation(lambda1, lambda3)} \lambda_3$")
+    def show(share: float, *panels: Axes) -> None:
+        for axes, motion in zip(panels, motions, strict=True):
+            t = share * 2 * math.pi / motion.mean_precession
+            draw_rolling_cones(axes, motion, t, low)
 
-    show(0.0)
-    return Film(drawn, show)
+    return film(look.TEXT, 2.3, show, (0.01, 0.0, 0.48, 0.9), (0.51, 0.0, 0.48, 0.9))
 
 
 def _half_angles(motion: Motion) -> tuple[float, float]:
@@ -236,9 +215,10 @@ def _rolling_facts(**values: float) -> dict[str, Any]:
     for side, motion in zip(("left", "right"), _rolling(**values), strict=True):
         body, space = np.degrees(_half_angles(motion))
         lambda1, _, lambda3 = motion.body.moments
-        facts |= {f"body_{side}": body, f"space_{side}": space, f"rate_{side}": _rates(motion)[1]}
-        facts |= {f"relation_{side}": _relation(lambda1, lambda3)}
-        facts |= {f"touching_{side}": _touching(motion, side)}
+        facts[f"body_{side}"], facts[f"space_{side}"] = body, space
+        facts[f"rate_{side}"] = motion.mean_precession
+        facts[f"relation_{side}"] = _relation(lambda1, lambda3)
+        facts[f"touching_{side}"] = _touching(motion, side)
     return facts
 
 

@@ -8,33 +8,25 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from scipy.optimize import brentq
 
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.bodies import TOP, facts_of, of_top
+from rigidtop.figures.bodies import TOP, facts_of, of_top, time_to
 from rigidtop.figures.drawing import Drawing, one
 from rigidtop.motion.many import top_motions
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 
-ALL_TILTS: Mapping[str, Any] = {
-    "ylim": (0, 190),
-    "yticks": [0, 45, 90, 135, 180],
-    "ylabel": r"$\theta$  (degrees)",
-}
+TILT = r"$\theta$  (degrees)"
+ALL_TILTS: Mapping[str, Any] = {"ylim": (0, 190), "yticks": [0, 45, 90, 135, 180]}
 
 # --- The toppling top ----------------------------------------------------------------------------
 
 
 def time_to_fall(motion: TopMotion) -> float:
     """When θ of a top that is let go at rest comes to π/2 (s)."""
-
-    def above(t: float) -> float:
-        return float(motion.exact(t).theta[0]) - math.pi / 2
-
-    return float(brentq(above, 0.0, motion.nutation_period / 2, xtol=1e-12, rtol=1e-14))
+    return time_to(motion, math.pi / 2)
 
 
 def draw_toppling(axes: Axes, motion: TopMotion) -> None:
@@ -50,8 +42,7 @@ def draw_toppling(axes: Axes, motion: TopMotion) -> None:
         pen.Mark((fall, 90), look.SECOND, 4.5),
         pen.Words((fall, 90), f"{fall:.3g} s", beside, ha=side),
     ]
-    pen.draw(axes, parts)
-    axes.set(xlim=(0, period), xlabel="$t$  (s)", **ALL_TILTS)
+    pen.chart(axes, parts, "$t$  (s)", TILT, xlim=(0, period), **ALL_TILTS)
 
 
 def _toppling(theta: float, lambda1: float, M: float, R: float, g: float) -> TopMotion:
@@ -101,6 +92,7 @@ def draw_sleeping(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
     first, second = np.degrees(tops.turning_points)
     marked = np.degrees(top.motion(theta=theta, omega3=omega3).turning_points)
     at = 0.3 * wakes
+    formula = r"$\frac{2}{\lambda_3}\sqrt{\lambda_1 MgR}$"
     parts = [
         pen.Band(spins, first, second),
         pen.Curve((spins, second), look.FIRST, 1.3, label="_largest"),
@@ -108,16 +100,13 @@ def draw_sleeping(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
         pen.Rule(x=wakes),
         pen.Curve(([omega3, omega3], marked), look.INK, 0.8),
         pen.Mark(([omega3, omega3], marked)),
-        pen.Words(
-            (wakes, 190), r"$\frac{2}{\lambda_3}\sqrt{\lambda_1 MgR}$", (5, -2), look.NOTE, va="top"
-        ),
+        pen.Words((wakes, 190), formula, (5, -2), look.NOTE, va="top"),
         pen.Words((0.62 * wakes, 40), "wakes", ha="center"),
         pen.Words((0.5 * (wakes + last), 40), "sleeps", ha="center"),
         pen.Words((at, np.interp(at, spins, second)), r"$\theta_2$", (0, 5), ha="center"),
         pen.Words((at, np.interp(at, spins, first)), r"$\theta_i$", (0, 5), ha="center"),
     ]
-    pen.draw(axes, parts)
-    axes.set(xlim=(0, last), xlabel=r"$\omega_3$  (rad/s)", **ALL_TILTS)
+    pen.chart(axes, parts, r"$\omega_3$  (rad/s)", TILT, xlim=(0, last), **ALL_TILTS)
 
 
 def _sleeping_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, Any]:

@@ -56,11 +56,10 @@ def draw_gyroscope(axes: Axes, motion: TopMotion, radius: float) -> None:
 
 def _angle(e3: Floats, size: float) -> list[pen.Part]:
     """θ, from the vertical through O to the axle."""
-    way = size * arc(UPRIGHT, e3)
+    way, style = size * arc(UPRIGHT, e3), {"color": look.GREY, "lw": 0.8, "z": 1}
     return [
         pen.guide([pen.ORIGIN, 1.25 * size * UPRIGHT]),
-        pen.guide(way, label="_theta"),
-        pen.Words(1.1 * way[len(way) // 2], r"$\theta$", ha="center", va="bottom"),
+        *pen.angle(way, r"$\theta$", (0, 2), out=1.1, label="_theta", **style),
         pen.Words(pen.ORIGIN, "$O$", (5, -9)),
     ]
 
@@ -110,10 +109,9 @@ def draw_simple_and_exact(
         words = f"{100 * tolerance:.3g} % apart"
         parts.append(pen.Curve(line, look.SECOND, 1.3, look.DOTTED, label="_needed"))
         parts.append(pen.Words((needed, height * highest), words, aside, look.SECOND, side))
-    pen.draw(axes, parts)
-    axes.set(xlim=(0.6 * first, last), ylim=(0, highest))
+    limits = {"xlim": (0.6 * first, last), "ylim": (0, highest)}
+    pen.chart(axes, parts, r"$|\omega_3|$  (rad/s)", r"$|\Omega|$  (rad/s)", **limits)
     axes.legend(loc="upper right", handlelength=2.2, borderaxespad=0.1)
-    axes.set(xlabel=r"$|\omega_3|$  (rad/s)", ylabel=r"$|\Omega|$  (rad/s)")
 
 
 # --- Together ------------------------------------------------------------------------------------

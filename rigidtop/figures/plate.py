@@ -72,9 +72,8 @@ def draw_turns(axes: Axes, path: Trajectory) -> None:
         pen.Words((path.t[k], wobble[k]), wobbles, (-7, 5), look.SECOND, "right"),
         pen.Words((path.t[k], mark[k]), "mark", (3, -11), look.FIRST),
     ]
-    pen.draw(axes, parts)
+    pen.chart(axes, parts, "$t$  (s)", "turns")
     axes.locator_params(axis="x", nbins=6)
-    axes.set(xlabel="$t$  (s)", ylabel="turns")
 
 
 def draw_plate(
@@ -99,7 +98,7 @@ def draw_plate(
     if named:
         parts.append(pen.Words(tip, look.E3, (1, 3), look.AXIS))
         parts.append(pen.Words(top, look.L_VEC, (-2, 3), look.MOMENTUM, "right"))
-    pen.draw(axes, parts, VIEW)
+    pen.picture(axes, parts, (-1.1, 1.1), (-1.1, 2.6), VIEW)
 
 
 # --- Together ------------------------------------------------------------------------------------
@@ -123,7 +122,6 @@ def _draw(theta: float, radius: float, thickness: float, omega3: float) -> Canva
     for k, attitude in enumerate(path.rotation[:: (len(path.t) - 1) // (PICTURES - 1)]):
         place = drawn.add_axes((left + k * width / PICTURES, 0.61, width / PICTURES, 0.39))
         draw_plate(place, attitude, radius, thickness, named=k == 0)
-        pen.paper(place, (-1.1, 1.1), (-1.1, 2.6))
     return drawn
 
 

@@ -58,43 +58,39 @@ def draw_polar_motion(
     )
     rigid, yielding = wobble(H, angle), wobble(H, angle, max(found["share"], 0.0))
     once = np.linspace(0.0, found["period"], 361)
-    way = way_of_the_pole(rigid, radius, once * DAY * omega3).T
-    size = found["ground"]
+    way = way_of_the_pole(rigid, radius, once * DAY * omega3)
+    size, small = found["ground"], look.SMALL
+    metres = f"${in_math(size)}$ m"
     parts: list[pen.Part] = [
-        pen.Curve((way[0], way[1]), look.OMEGA, 1.3, label="_way"),
+        pen.Curve(way, look.OMEGA, 1.3, label="_way"),
         # Heads where there are no days of either.
-        *(
-            pen.Curve((way[0, k : k + 9], way[1, k : k + 9]), look.OMEGA, head=True)
-            for k in (12, 192)
-        ),
+        *(pen.Curve(way[k : k + 9], look.OMEGA, head=True) for k in (12, 192)),
         pen.Curve(([0.0, size], 0.0), look.GREY, 0.9, look.DASHED),
         pen.Mark((0.0, 0.0), look.AXIS, 4, z=5),
-        pen.Mark((way[0, 0], way[1, 0]), look.OMEGA, 6.5, z=6),
+        pen.Mark(way[0], look.OMEGA, 6.5, z=6),
         pen.Words((0.0, 0.0), look.E3, (-6, 0), look.AXIS, "right", "center", 10),
         pen.Words((size, 0.0), look.OMEGA_VEC, (7, -3), look.OMEGA, size=10),
         pen.Words(
-            (0.5 * size, 0.0), f"${in_math(size)}$ m", (0, 3), look.NOTE, "center", size=look.SMALL
+            (0.5 * size, 0.0), f"${in_math(size)}$ m", (0, 3), look.NOTE, "center", size=small
         ),
     ]
     dot: dict[str, Any] = {"z": 5.0}
     ring: dict[str, Any] = {"size": 5.5, "fill": "white", "z": 4.5}
-    for motion, period, outwards, words, color, up, mark in (
+    for motion, period, outwards, words, color, height, mark in (
         (rigid, found["period"], 12, "outside: rigid", look.INK, 0.32, dot),
         (yielding, observed, -12, "inside: observed", look.SECOND, -0.38, ring),
     ):
         days = marked_days(period)
-        x, y = way_of_the_pole(motion, radius, days * DAY * omega3).T
+        poles = way_of_the_pole(motion, radius, days * DAY * omega3)
         label = "_rigid" if outwards > 0 else "_yielding"
-        parts.append(pen.Mark((x, y), color, label=label, **mark))
-        for k, day in enumerate(days[1:], 1):
-            shift, number = (outwards * x[k] / size, outwards * y[k] / size), in_math(float(day), 4)
-            parts.append(
-                pen.Words((x[k], y[k]), f"${number}$", shift, color, "center", "center", look.SMALL)
-            )
+        parts.append(pen.Mark(poles, color, label=label, **mark))
+        for pole, day in zip(poles[1:], days[1:], strict=True):
+            right, up = outwards * pole / size
+            number = f"${in_math(float(day), 4)}$"
+            parts.append(pen.Words(pole, number, (right, up), color, "center", "center", small))
         text = f"{words},\n${in_math(period)}$ days"
-        parts.append(pen.Words((0.0, up * size), text, (0, 0), color, "center", "center"))
-    pen.draw(axes, parts)
-    pen.paper(axes, (-1.3 * size, 1.3 * size), (-1.2 * size, 1.2 * size))
+        parts.append(pen.Words((0.0, height * size), text, (0, 0), color, "center", "center"))
+    pen.picture(axes, parts, (-1.3 * size, 1.3 * size), (-1.2 * size, 1.2 * size))
 
 
 def _facts(angle: float, radius: float, **others: float) -> dict[str, Any]:

@@ -67,15 +67,11 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
     ]
     if 0 < low < len(angles) - 1:
         place = math.degrees(angles[low]), float(potential[low])
-        parts.append(pen.Mark(place, look.SECOND, 4.5, "s"))
-        parts.append(pen.Words(place, "steady", (0, -6), look.SECOND, "center", "top"))
-    pen.draw(axes, parts)
-    axes.set(
-        xlim=np.degrees(shown),
-        ylim=(bottom, energy + 1.6 * depth),
-        xlabel=r"$\theta$  (degrees)",
-        ylabel=r"$U - {p_\psi}^2/(2\lambda_3)$  (J)",
-    )
+        name: Any = {"words": "steady", "shift": (0, -6), "ha": "center", "va": "top"}
+        parts.append(pen.Mark(place, look.SECOND, 4.5, "s", **name))
+    limits = {"xlim": np.degrees(shown), "ylim": (bottom, energy + 1.6 * depth)}
+    up = r"$U - {p_\psi}^2/(2\lambda_3)$  (J)"
+    pen.chart(axes, parts, r"$\theta$  (degrees)", up, **limits)
 
 
 def _motion(theta: float, phi_dot: float, omega3: float, **top: float) -> TopMotion:

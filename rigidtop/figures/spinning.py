@@ -13,7 +13,7 @@ from rigidtop.figures import picture as pen
 from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.bodies import RATE, SPIN, THETA, TOP, facts_of, has_phi, rates_in_words
-from rigidtop.figures.drawing import Drawing, Film, one
+from rigidtop.figures.drawing import Drawing, Film, film, one
 from rigidtop.figures.nutation import nutation_times
 from rigidtop.figures.space import View, unit
 from rigidtop.figures.style import Canvas, Floats
@@ -79,39 +79,34 @@ def _times(motion: TopMotion, samples: int) -> Floats:
     return np.linspace(0.0, last * min(1.0, 2.7 / turned) if turned else last, samples)
 
 
-def _empty() -> tuple[Canvas, Axes]:
-    drawn = Canvas(figsize=(look.COLUMN, 2.9))
-    return drawn, drawn.add_axes((0.0, 0.0, 1.0, 1.0))
-
-
-def _lowest(motion: TopMotion) -> float:
-    return min(-0.32, 1.5 * math.cos(motion.turning_points[1]) - 0.3)
+def _paper(axes: Axes, motion: TopMotion) -> None:
+    low = min(-0.32, 1.5 * math.cos(motion.turning_points[1]) - 0.3)
+    pen.paper(axes, (-1.32, 1.32), (low, 1.72))
 
 
 def _draw(**values: float) -> Canvas:
-    drawn, axes = _empty()
     motion = _motion(**values)
-    draw_stroboscopic(axes, motion, _times(motion, 1200))
-    pen.paper(axes, (-1.32, 1.32), (_lowest(motion), 1.72))
-    return drawn
+
+    def fill(share: float, axes: Axes) -> None:
+        draw_stroboscopic(axes, motion, _times(motion, 1200))
+        _paper(axes, motion)
+
+    return film(look.COLUMN, 2.9, fill).canvas
 
 
 def _film(**values: float) -> Film:
     """A turn of precession, on the mean; the spin as slow as the motion is."""
-    drawn, axes = _empty()
     motion = _motion(**values)
     rate = abs(motion.mean_precession)
     last = 2 * math.pi / rate if rate else float(nutation_times(motion, 2)[-1])
     last = min(last, 8 * float(nutation_times(motion, 2)[-1]))
 
-    def show(share: float) -> None:
-        axes.clear()
+    def show(share: float, axes: Axes) -> None:
         now = share * last
         draw_top(axes, motion, now, np.linspace(min(now - 1e-9 * last, 0.0), now, 1500))
-        pen.paper(axes, (-1.32, 1.32), (_lowest(motion), 1.72))
+        _paper(axes, motion)
 
-    show(0.0)
-    return Film(drawn, show)
+    return film(look.COLUMN, 2.9, show)
 
 
 def _facts(theta: float, **others: float) -> dict[str, Any]:

@@ -63,16 +63,15 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
         pen.couple(0.95 * turning, (-6, -10), "right"),
         pen.Arrow(weight, start=centre),
         pen.Words(weight, look.WEIGHT, (6, 2)),
-        pen.Mark(centre),
-        pen.Words(centre, look.R_CM, (6, -8)),
+        pen.Mark(centre, words=look.R_CM, shift=(6, -8)),
         pen.Words(pen.ORIGIN, "$O$", (5, -10)),
     ]
     if np.any(turning):
         beyond = end + 0.42 * turning
         parts.append(pen.Arrow(beyond, "", look.TORQUE, 1.2, start=end))
         parts.append(pen.Words(beyond, look.L_DOT, (2, 4), look.TORQUE, "center", z=7))
-    pen.draw(axes, parts, VIEW)
-    pen.paper(axes, (-1.45, 1.7), (min(-0.3, 1.6 * e3[2] - 0.4), 1.92))
+    low = min(-0.3, 1.6 * e3[2] - 0.4)
+    pen.picture(axes, parts, (-1.45, 1.7), (low, 1.92), VIEW)
 
 
 def _motion(theta: float, omega3: float, **top: float) -> TopMotion:

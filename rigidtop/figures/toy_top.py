@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from scipy.optimize import brentq
 
 from rigidtop.derivations.exercises.sleeping_top import RPM
 from rigidtop.derivations.exercises.toy_top import (
@@ -19,9 +18,10 @@ from rigidtop.derivations.exercises.toy_top import (
 from rigidtop.figures import picture as pen
 from rigidtop.figures import solids
 from rigidtop.figures import style as look
+from rigidtop.figures.bodies import time_to
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, View, arc
+from rigidtop.figures.space import UPRIGHT, View, arc, bow
 from rigidtop.figures.style import Canvas, canvas
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
@@ -64,16 +64,13 @@ def draw_toy_top(
         solids.table(),
         *(pen.Curve(np.outer(ends, e3), look.NOTE, z=z, **stem) for ends, z in pieces),
         *solids.disc(middle * e3, e3, half, height),
-        pen.Mark(centre * e3, label="_centre"),
-        pen.Words(centre * e3, look.R_CM, (5, -8)),
+        pen.Mark(centre * e3, label="_centre", words=look.R_CM, shift=(5, -8)),
         pen.guide(np.outer([top, top + 0.62], e3)),
         pen.guide(np.outer([0.0, top + 0.62], UPRIGHT)),
-        pen.guide(way),
-        pen.Words(1.05 * way[30], r"$\theta$", (0, 2), ha="center"),
+        *pen.angle(way, r"$\theta$", (0, 2), out=1.05, color=look.GREY, lw=0.8, z=1),
         pen.Turning((top + 0.2) * e3, e3, 0.16, omega3, r"$\omega_3$"),
     ]
-    pen.draw(axes, parts, VIEW)
-    pen.paper(axes, (-1.02, 1.02), (-0.25, 1.85))
+    pen.picture(axes, parts, (-1.02, 1.02), (-0.25, 1.85), VIEW)
 
 
 # --- The path of its axis ------------------------------------------------------------------------
@@ -81,13 +78,7 @@ def draw_toy_top(
 
 def touches(motion: TopMotion, touching: float) -> float | None:
     """When a top that is let go leans by `touching` (rad) for the first time, if it does (s)."""
-    if motion.turning_points[1] < touching:
-        return None
-
-    def above(t: float) -> float:
-        return float(motion.exact(t).theta[0]) - touching
-
-    return float(brentq(above, 0.0, motion.nutation_period / 2, xtol=1e-14, rtol=1e-13))
+    return None if motion.turning_points[1] < touching else time_to(motion, touching)
 
 
 def time_shown(motion: TopMotion, touching: float) -> float:
@@ -107,21 +98,18 @@ def draw_path_from_above(axes: Axes, motion: TopMotion, touching: float) -> None
     run = motion.exact(np.linspace(0.0, last, count))
     theta, edge = np.degrees(run.theta), math.degrees(touching)
     x, y = theta * np.cos(run.phi), theta * np.sin(run.phi)
-    around = np.linspace(0, 2 * math.pi, 241)
-    rim = edge * np.cos(around), edge * np.sin(around)
     # In the middle, if there is room.
     below = 0.0 if theta[0] > 0.45 * edge else 0.5 * float(theta.max() + edge)
     shift = (0, -3 if below else -11)
     parts = [
         pen.Curve((x, y), look.FIRST, 1.0, label="_path"),
         pen.Mark((x[0], y[0]), look.FIRST),
-        pen.Curve(rim, look.SECOND, 0.9, look.DOTTED),
+        pen.Curve(bow(edge), look.SECOND, 0.9, look.DOTTED),
         pen.Words((0.0, edge), "rim touches", (0, 3), look.SECOND, "center"),
         pen.Mark((0.0, 0.0), look.GREY, 6, "+"),
         pen.Words((0.0, -below), rf"$\theta = {theta[0]:.3g}°$", shift, ha="center"),
     ]
-    pen.draw(axes, parts)
-    pen.paper(axes, (-1.04 * edge, 1.04 * edge), (-1.04 * edge, 1.25 * edge))
+    pen.picture(axes, parts, (-1.04 * edge, 1.04 * edge), (-1.04 * edge, 1.25 * edge))
 
 
 # --- Against the spin ----------------------------------------------------------------------------
@@ -150,10 +138,9 @@ def draw_against_spin(axes: Axes, top: HeavyTop, theta: float, omega3: float) ->
             pen.Mark((given * RPM, marked[k]), color, 4.5, label=f"_{words} now"),
             pen.Words(place, words, (0, 5), color, "center"),
         ]
-    pen.draw(axes, parts)
-    axes.set(yscale="log", xlim=(0.9 * least * RPM, last * RPM), ylim=(0.6 * rates[-1, 0], high))
+    limits = {"xlim": (0.9 * least * RPM, last * RPM), "ylim": (0.6 * rates[-1, 0], high)}
+    pen.chart(axes, parts, "spin  (turns a minute)", "in a second", yscale="log", **limits)
     axes.yaxis.set_major_formatter("{x:g}")
-    axes.set(xlabel="spin  (turns a minute)", ylabel="in a second")
 
 
 # --- Together ------------------------------------------------------------------------------------
@@ -183,18 +170,13 @@ def _facts(**values: float) -> dict[str, Any]:
     _, motion, touching = _top(values)
     facts = answers(top_from_the_toy_box, **values)
     end = touches(motion, touching)
+    lowest, turns = motion.turning_points[1], 1 / facts["slow_turn"]
+    facts |= {"lowest": lowest, "touching": touching, "end": end, "turns": turns}
     goes, falls = "for one turn, down to {lowest:°}", "goes round in small arches"
     if end is not None:
         goes = "until its rim touches the table, at {touching:°}, after {end} s"
         falls = "falls until the rim touches the table"
-    return facts | {
-        "lowest": motion.turning_points[1],
-        "touching": touching,
-        "end": end,
-        "goes": goes,
-        "falls": falls,
-        "turns": 1 / facts["slow_turn"],
-    }
+    return facts | {"goes": goes, "falls": falls}
 
 
 TOY_TOP = Drawing(

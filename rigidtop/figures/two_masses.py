@@ -76,8 +76,7 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
         pen.Curve([-1.05 * UPRIGHT, pen.ORIGIN], look.RULE, 3.5, z=1, cap="butt"),
         pen.Curve(places, look.NOTE, 2.6, z=4, label="_stick"),
         pen.guide([pen.ORIGIN, 0.55 * along], z=2),
-        pen.guide(angle, z=3),
-        pen.Words(1.16 * angle[30], r"$\alpha$", narrow, look.NOTE, "center", "center"),
+        *pen.angle(angle, r"$\alpha$", narrow, look.NOTE, 1.12, color=look.GREY, lw=0.8, z=3),
         pen.Arrow(1.4 * UPRIGHT, look.OMEGA_VEC, look.OMEGA, 1.7, shift=(9, -2)),
         pen.Arrow(momentum, look.L_VEC, look.MOMENTUM, 1.9, shift=beside, z=5.2),
         pen.couple(turning, (8, -12)),
@@ -90,8 +89,7 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
     if np.any(turning):
         parts.append(pen.Arrow(momentum + 0.5 * turning, "", look.TORQUE, 1.2, start=momentum))
         parts.append(pen.Words(momentum, look.L_DOT, (-4, -17), look.TORQUE, "right"))
-    pen.draw(axes, parts, VIEW)
-    pen.paper(axes, (-1.5, 1.5), (-1.15, 1.35))
+    pen.picture(axes, parts, (-1.5, 1.5), (-1.15, 1.35), VIEW)
 
 
 def _mass(k: int, place: Floats, size: float) -> list[pen.Part]:
