@@ -78,7 +78,7 @@ def run(options: argparse.Namespace) -> int:
     given = {f"lambda{k}": getattr(options, f"lambda{k}") for k in (1, 2, 3)}
     fit: Fit = _fit()(data.t, **data.columns, **given, misalignment=options.misalignment)
     if options.output is not None:
-        from rigidtop.figures.measurements import compared
+        from rigidtop.figures.trajectories import compared
         from rigidtop.terminal.files import write_whole
 
         write_whole(Path(options.output), compared(fit, kind))

@@ -309,7 +309,8 @@ def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> 
 
 def _draw_tumbling(**values: float) -> Canvas:
     drawn = canvas(look.TEXT, 2.6)
-    draw_tumbling(*drawn.subplots(1, 2), _tumbling(**values))
+    left, right = drawn.subplots(1, 2)
+    draw_tumbling(left, right, _tumbling(**values))
     return drawn
 
 

@@ -20,6 +20,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patheffects import withStroke
+from matplotlib.text import Annotation
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import ConvexHull
 
@@ -100,8 +101,8 @@ class Curve(Part):
         style |= {"zorder": self.z, "ls": self.ls, "alpha": self.alpha, "solid_capstyle": self.cap}
         hidden = self.hidden
         if isinstance(hidden, str):
-            edge = {"": -math.inf, "sphere": -1e-9}.get(hidden, float(np.mean(near)))
-            hidden = near < edge
+            edge = {"": -math.inf, "sphere": -1e-9}.get(hidden)
+            hidden = near < (np.mean(near) if edge is None else edge)
         if not np.any(hidden):
             axes.plot(x, y, **style)
         else:
@@ -406,17 +407,19 @@ def chart(axes: Axes, parts: Iterable[Part], x: str, y: str, **limits: Any) -> N
 
 
 def fit(
-    axes: Axes, view: View, points: ArrayLike, margins: tuple[float, float, float, float]
+    axes: Axes, parts: Iterable[Part], view: View, margins: tuple[float, float, float, float]
 ) -> None:
-    """Paper just large enough for `points` (N, 3), with margins (left, right, below, above).
+    """Puts the parts on paper just large enough, with margins (left, right, below, above).
 
     The margins are shares of the larger side: they are for words, whose size is that of letters.
     """
-    x, y, _ = view(points)
-    size = max(float(np.ptp(x)), float(np.ptp(y)))
-    left, right, below, above = (size * margin for margin in margins)
-    across = float(x.min()) - left, float(x.max()) + right
-    paper(axes, across, (float(y.min()) - below, float(y.max()) + above))
+    draw(axes, parts, view)
+    shapes = [line.get_xydata() for line in axes.lines]
+    shapes += [patch.get_path().vertices for patch in axes.patches]
+    drawn = np.vstack([*shapes, *(name.xy for name in axes.texts if isinstance(name, Annotation))])
+    low, high = np.nanmin(drawn, axis=0), np.nanmax(drawn, axis=0)
+    left, right, below, above = (float(max(high - low)) * margin for margin in margins)
+    paper(axes, (low[0] - left, high[0] + right), (low[1] - below, high[1] + above))
 
 
 def legend_above(axes: Axes, **style: Any) -> None:

@@ -1,8 +1,10 @@
-"""Trajectories drawn: their columns over the time, one over another, and parts that move."""
+"""Trajectories drawn: their columns over the time, one over another, beside measurements, and
+parts that move."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +24,7 @@ from rigidtop.typeset.nodes import glyph
 
 if TYPE_CHECKING:
     from rigidtop.motion.attitude import Floats
+    from rigidtop.motion.least_squares import Fit
 
 COLOURS = (look.FIRST, look.SECOND, look.INK, look.THIRD, look.GREY)
 SIZE = (4.8, 3.0)
@@ -66,6 +69,32 @@ def label(header: str) -> str:
     made = name if name in ("energy", "rolling", "dissipated") else f"${letter(glyph(spelled))}$"
     made = made.replace("_", " ") if made == name else made
     return f"{made} ({unit.strip('()')})" if unit else made
+
+
+HEIGHT = 3.6
+"""Of the figure (inches)."""
+
+
+def compared(fit: Fit, kind: str) -> bytes:
+    """The bytes of a figure as "svg", "pdf" or "png": dots on curves, and residuals below."""
+    with matplotlib.rc_context(STYLE):
+        figure = canvas(look.TEXT, HEIGHT)
+        above, below = figure.subplots(2, sharex=True, height_ratios=(3, 1))
+        for color, (header, measured) in zip(COLOURS, fit.measured.items(), strict=False):
+            dots = {"color": color, "marker": ".", "markersize": 2.5, "linestyle": "none"}
+            above.plot(fit.t, measured, **dots)
+            above.plot(fit.t, fit.computed[header], color=color, lw=0.9, label=label(header))
+            below.plot(fit.t, fit.residuals[header], **dots)
+        below.axhline(0.0, color=look.GREY, lw=0.7)
+        largest = max(float(np.abs(x).max()) for x in fit.residuals.values())
+        below.set_ylim(-1.1 * (largest or 1.0), 1.1 * (largest or 1.0))
+        below.set_xlabel(label("t/s"))
+        below.set_ylabel("residual")
+        figure.legend(loc="outside upper center", ncols=len(fit.measured))
+        file = BytesIO()
+        dated = {"Date": None} if kind == "svg" else {"CreationDate": None} if kind == "pdf" else {}
+        figure.savefig(file, format=kind, dpi=200, metadata=dated)
+    return file.getvalue()
 
 
 def filmed(run: Any, path: str, duration: float | None) -> None:

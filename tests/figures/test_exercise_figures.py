@@ -9,10 +9,9 @@ from scipy.spatial.transform import Rotation
 
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.figures import (
-    polar_motion,
-    rotation_order,
-    two_masses,
-    weights,
+    points,
+    rotations,
+    wobbles,
 )
 from rigidtop.figures.catalog import named
 from rigidtop.figures.solved import answers
@@ -77,7 +76,7 @@ def turned(held, t):
 @pytest.mark.parametrize("chosen", STICKS)
 def test_the_bearing_moves_what_it_holds(chosen):
     """L by the inertia tensor; N and F by what Newton's law asks, from differences in time."""
-    held = two_masses.stick(*chosen)
+    held = points.stick(*chosen)
     r, m = held.positions, held.masses
     tensor = sum(k * (p @ p * np.eye(3) - np.outer(p, p)) for k, p in zip(m, r, strict=True))
     assert held.momentum == pytest.approx(tensor @ held.omega, rel=1e-12)
@@ -91,10 +90,10 @@ def test_the_bearing_moves_what_it_holds(chosen):
 
 @pytest.mark.parametrize("chosen", STICKS)
 def test_two_masses_as_they_are_drawn(axes, chosen):
-    held = two_masses.stick(*chosen)
-    two_masses.draw_two_masses(axes, held)
+    held = points.stick(*chosen)
+    points.draw_two_masses(axes, held)
     alpha = chosen[4]
-    view = two_masses.VIEW
+    view = points.VIEW_TWO_MASSES
     # L leans to the other side than the first mass, at right angles to the stick.
     across = np.array([0.0, -math.cos(alpha), math.sin(alpha)])
     assert tip(axes, r"$\mathbf{L}$") == pytest.approx(on_paper(view, 1.15 * across))
@@ -111,7 +110,7 @@ def test_two_masses_as_they_are_drawn(axes, chosen):
 
 # --- The Earth -----------------------------------------------------------------------------------
 
-EARTH = {parameter.name: parameter.default for parameter in polar_motion.POLAR_MOTION.parameters}
+EARTH = {parameter.name: parameter.default for parameter in wobbles.POLAR_MOTION.parameters}
 
 
 def azimuths(points):
@@ -121,12 +120,12 @@ def azimuths(points):
 @pytest.mark.parametrize("changed", [{}, {"H": 0.01, "angle": 0.05}, {"observed": 1000.0}])
 def test_days_on_the_way_of_the_pole(axes, changed):
     given = {**EARTH, **changed}
-    polar_motion.draw_polar_motion(axes, **given)
+    wobbles.draw_polar_motion(axes, **given)
     sidereal_days = 2 * math.pi / given["omega3"] / 86400
     euler = (1 - given["H"]) / given["H"] * sidereal_days
     for label, period in (("_rigid", euler), ("_yielding", given["observed"])):
         [points] = lines(axes, label)
-        days = polar_motion.marked_days(period)
+        days = wobbles.marked_days(period)
         away = given["radius"] * math.tan(given["angle"])
         assert np.hypot(*points.T) == pytest.approx(away, rel=1e-8)
         # Eastwards is counterclockwise, seen from above the north pole.
@@ -141,7 +140,7 @@ def test_days_on_the_way_of_the_pole(axes, changed):
 def test_a_yielding_earth_keeps_its_angular_momentum():
     """The bulge is turned in part towards ω; L̇ + ω × L = 0 by differences in time."""
     H, angle, share = 0.3, 0.1, 0.4
-    motion = polar_motion.wobble(H, angle, share)
+    motion = wobbles.wobble(H, angle, share)
     step = 1e-4
     before, now, after = motion.exact([2.0 - step, 2.0, 2.0 + step]).omega
 
@@ -166,7 +165,7 @@ def test_both_orders_end_where_the_rotations_do(chosen):
     a = Rotation.from_rotvec([alpha, 0.0, 0.0])
     b = Rotation.from_rotvec([beta * math.cos(gamma), beta * math.sin(gamma), 0.0])
     vectors = Rotation.random(5, random_state=3).as_matrix()[:, :, 0]
-    upper, lower = rotation_order.orders(*chosen)
+    upper, lower = rotations.orders(*chosen)
     # B first, then A: each vector is turned by one after the other.
     for row, first, second, title in ((upper, b, a, "$AB$"), (lower, a, b, "$BA$")):
         (_, start, _), (_, middle, by), (words, end, last) = row
@@ -187,7 +186,7 @@ def test_both_orders_end_where_the_rotations_do(chosen):
 
 # --- Weights -------------------------------------------------------------------------------------
 
-BODY = weights.points(**{p.name: p.default for p in weights.WEIGHTS.parameters})
+BODY = points.points(**{p.name: p.default for p in points.WEIGHTS.parameters})
 
 
 def potential(body, turn):
@@ -209,7 +208,7 @@ def test_the_torque_of_weights_is_the_slope_of_their_energy(axes, change):
     assert body.torque == pytest.approx(-np.array(slopes), abs=1e-7)
     lumped = np.cross(body.centre, [0.0, 0.0, -body.g * body.masses.sum()])
     assert body.torque == pytest.approx(lumped, abs=1e-12)
-    weights.draw_weights(axes, body)
+    points.draw_weights(axes, body)
     assert tip(axes, r"$\mathbf{N}$") == pytest.approx(
-        on_paper(weights.VIEW, 0.6 * direction(lumped))
+        on_paper(points.VIEW_WEIGHTS, 0.6 * direction(lumped))
     )

@@ -8,15 +8,14 @@ from matplotlib.figure import Figure as Canvas
 
 import rigidtop as rt
 from rigidtop.figures import (
-    angles,
     cones,
     falling,
     free,
     nutation,
     potential,
     precession,
-    style,
-    torque,
+    rotations,
+    tops,
 )
 from rigidtop.figures.catalog import named
 from rigidtop.motion.attitude import from_euler_angles
@@ -105,10 +104,10 @@ def test_torque_is_the_rate_of_the_momentum(theta):
     motion = TOP.motion(theta=theta, phi=math.pi / 2, phi_dot=1.0, omega3=30.0)
     step = 1e-5
     before, after = motion.integrate([-step, step], rtol=1e-12, atol=1e-14).angular_momentum
-    assert torque.torque(motion) == pytest.approx((after - before) / (2 * step), abs=1e-6)
+    assert tops.torque(motion) == pytest.approx((after - before) / (2 * step), abs=1e-6)
     # Leaning to the right in the plane of the paper: x̂ points at the reader, N away from it.
     assert motion.start().e3[0] == pytest.approx([0, math.sin(theta), math.cos(theta)], abs=1e-15)
-    assert torque.direction_of_torque(motion) == pytest.approx([-1, 0, 0], abs=1e-12)
+    assert tops.direction_of_torque(motion) == pytest.approx([-1, 0, 0], abs=1e-12)
 
 
 # --- Euler's angles ------------------------------------------------------------------------------
@@ -118,19 +117,19 @@ def test_torque_is_the_rate_of_the_momentum(theta):
 @pytest.mark.parametrize("chosen", [(1.0, 0.7, 0.8), (-2.0, 2.5, 4.0), (0.0, 0.0, 0.0)])
 def test_every_step_is_a_proper_rotation_about_its_axis(sequence, chosen):
     phi, theta, psi = chosen
-    steps = angles.steps(sequence, *chosen)
+    steps = rotations.steps(sequence, *chosen)
     quarter = math.pi / 2 if sequence == "zxz" else 0.0
     assert steps[3].as_matrix() == pytest.approx(
         from_euler_angles(theta, phi - quarter, psi + quarter).as_matrix(), abs=1e-15
     )
     for before, after, (axis, angle, _, _) in zip(
-        steps, steps[1:], angles.turns(sequence, *chosen), strict=False
+        steps, steps[1:], rotations.turns(sequence, *chosen), strict=False
     ):
         turn = (after * before.inv()).as_matrix()
         assert np.linalg.det(turn) == pytest.approx(1)
         assert turn @ axis == pytest.approx(axis, abs=1e-15)
         assert np.trace(turn) == pytest.approx(1 + 2 * math.cos(angle))
-    axes_turned_about = [axis for axis, _, _, _ in angles.turns(sequence, *chosen)]
+    axes_turned_about = [axis for axis, _, _, _ in rotations.turns(sequence, *chosen)]
     nodes = [-math.sin(phi - quarter), math.cos(phi - quarter), 0]
     assert axes_turned_about[0] == pytest.approx([0, 0, 1])
     assert axes_turned_about[1] == pytest.approx(nodes, abs=1e-15)
@@ -305,8 +304,8 @@ def test_lines_of_the_map_are_cusps_and_steady(axes):
             along = np.linspace(points[0], points[-1], 5) if len(points) == 2 else points[::40]
             for spin, rate in along[1:]:
                 assert TOP.motion(theta=theta, phi_dot=rate, omega3=spin).regime == regime
-    [steady] = [each for each in axes.lines if each.get_color() == style.SECOND]
-    for spin, rate in np.asarray(steady.get_xydata())[10::60]:
+    steady = line(axes, "_steady")
+    for spin, rate in steady[10::60]:
         assert TOP.motion(theta=theta, phi_dot=rate, omega3=spin).regime == "steady"
 
 

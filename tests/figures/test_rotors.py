@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
 
 import rigidtop as rt
-from rigidtop.figures import bicycle_wheel, gyroscope, plate, style
+from rigidtop.figures import rotors, style, wobbles
 from rigidtop.figures.catalog import named
 from rigidtop.typeset.words import unmarked
 
@@ -58,7 +58,7 @@ def test_what_cannot_be_is_refused_by_picture_and_words(drawing, given, message)
 # --- Gyroscope and wheel -------------------------------------------------------------------------
 
 HELD = [
-    (GYROSCOPE, gyroscope.VIEW, given)
+    (GYROSCOPE, rotors.VIEW_GYROSCOPE, given)
     for given in (
         {},
         {"theta": math.pi / 2},
@@ -67,7 +67,7 @@ HELD = [
         {"omega3": 110.0, "theta": 0.8, "R": 0.06},
     )
 ] + [
-    (WHEEL, bicycle_wheel.VIEW, given)
+    (WHEEL, rotors.VIEW_BICYCLE_WHEEL, given)
     for given in ({}, {"omega3": -9.0, "R": 0.4}, {"cord": 30.0, "omega3": 3.0})
 ]
 
@@ -160,7 +160,7 @@ def test_the_cord_leans_as_newton_says(given):
     values = WHEEL.values(given)
     _, _, _, rate = held_top(WHEEL, given)
     panel = drawn(WHEEL, given).axes[0]
-    view = bicycle_wheel.VIEW
+    view = rotors.VIEW_BICYCLE_WHEEL
     lower, upper = line(panel, "_cord")
     assert lower == pytest.approx((0, 0))
     # In the plane of ŷ and ẑ two numbers on paper give two in space.
@@ -169,7 +169,7 @@ def test_the_cord_leans_as_newton_says(given):
     reach = values["R"] + values["cord"] * sine
     assert -inward / up == pytest.approx(rate**2 * reach / 9.81)
     length = values["cord"] / math.hypot(values["R"], values["radius"])
-    assert math.hypot(inward, up) == pytest.approx(min(length, bicycle_wheel.LONGEST))
+    assert math.hypot(inward, up) == pytest.approx(min(length, rotors.LONGEST))
     pull = values["M"] * math.hypot(9.81, rate**2 * reach)
     caption = unmarked(WHEEL.caption(**values))
     assert (
@@ -221,7 +221,7 @@ def test_plate_turns_as_it_is_integrated(given):
     assert np.abs(2 * math.pi * shown - mark * t).max() <= stray
     for label in ("_wobble", "_mark"):
         whole, dots = line(chart, label), line(chart, f"{label}_dots")
-        assert dots[:, 0] == pytest.approx(np.linspace(0, t[-1], plate.PICTURES))
+        assert dots[:, 0] == pytest.approx(np.linspace(0, t[-1], wobbles.PICTURES))
         assert dots[:, 1] == pytest.approx(np.interp(dots[:, 0], *whole.T))
 
 

@@ -1,8 +1,10 @@
-"""Two rotations of a book, in one order and in the other (section 3.4)."""
+"""Rotations: Euler's angles (section 3.3), and a book that is turned twice (section 3.4)."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -17,8 +19,133 @@ from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import View, unit
 from rigidtop.figures.style import Canvas, Floats, canvas, degrees, said
+from rigidtop.parameters import Parameter
 
-VIEW = View(azimuth=0.5, elevation=0.42)
+# --- Euler's angles ------------------------------------------------------------------------------
+
+VIEW_ANGLES = View(azimuth=0.36, elevation=0.4)
+TURNED_ABOUT = "#8fd3e3"
+ANGLE = "#3f7d2a"
+NODES = {"zyz": 1, "zxz": 0}
+"""Which axis of the first turn is the line of nodes, about which the second goes."""
+
+E1, E2, E3 = (rf"$\mathbf{{e}}_{k}$" for k in (1, 2, 3))
+NODE = r"$\mathbf{e}_2'$"
+NAMES = {
+    "zyz": ((r"$\mathbf{h}$", NODE, ""), (r"$\mathbf{e}_1'$", NODE, E3), (E1, E2, E3)),
+    "zxz": ((NODE, r"$-\mathbf{h}$", ""), (NODE, r"$-\mathbf{e}_1'$", E3), (E1, E2, E3)),
+}
+"""Of the axes after each step, in the letters of the notes."""
+
+NARROW = 0.3
+"""An arc that goes less far has no room for a name: it stands where the arc begins."""
+
+
+def steps(sequence: str, *angles: float) -> list[Rotation]:
+    """The attitude before the first rotation and after each of the three."""
+    axes = sequence.upper()  # capitals: about the axes as they are turned
+    return [
+        Rotation.identity(),
+        *(Rotation.from_euler(axes, (*angles[:k], *[0.0] * (3 - k))) for k in (1, 2, 3)),
+    ]
+
+
+def draw_rotation(
+    axes: Axes,
+    before: Rotation,
+    after: Rotation,
+    turned: tuple[Floats, float, int, str],
+    names: Sequence[str],
+) -> None:
+    """One step: the axes before (dashed) and after (solid) it, among x̂ŷẑ.
+
+    `turned` says about which unit vector of space, by how much (rad), which of the three axes
+    shows the angle, and the angle's name.
+    """
+    axis, angle, shown, symbol = turned
+    old, new = before.as_matrix().T, after.as_matrix().T
+    # The way of one axis, at a part of its length, with a head where it ends.
+    way = Rotation.from_rotvec(np.linspace(0, angle, 61)[:, None] * axis).apply(0.62 * old[shown])
+    x, y, _ = VIEW_ANGLES(way[[0, 30, 60]])
+    narrow = math.hypot(x[2] - x[0], y[2] - y[0]) < NARROW
+    at, away = (0, (x[0] - x[2], y[0] - y[2])) if narrow else (30, (x[1], y[1]))
+    right, up = 9 / (math.hypot(*away) or 1.0) * np.array(away)
+    moved = [each for each, there in zip(old, new, strict=True) if not np.allclose(each, there)]
+    parts = [
+        pen.Curve([-0.18 * axis, 0.98 * axis], TURNED_ABOUT, 5, z=1, cap="round"),
+        *pen.axes_of_space(1.34, color=look.FIRST, lw=0.8, z=2),
+        *(pen.Curve([pen.ORIGIN, each], look.AXIS, ls=look.HIDDEN, z=3) for each in moved),
+        *(pen.Arrow(tip, name, look.AXIS, 1.6, z=4) for tip, name in zip(new, names, strict=True)),
+        pen.Curve(way, ANGLE, 1.4, z=4, head=abs(angle) > 0.1),
+        pen.Words(way[at], symbol, (right, up), ANGLE, "center", "center", 11),
+    ]
+    pen.picture(axes, parts, (-1.1, 1.42), (-1.05, 1.5), VIEW_ANGLES)
+
+
+def turns(sequence: str, *angles: float) -> list[tuple[Floats, float, int, str]]:
+    """About which axis each step turns, by how much, and which axis shows it: ẑ, the nodes, e₃."""
+    after = steps(sequence, *angles)
+    about = (2, NODES[sequence], 2)
+    names = (r"$\phi$", r"$\theta$", r"$\psi$")
+    return [
+        (after[k].as_matrix()[:, axis], angle, 2 if k == 1 else 0, name)
+        for k, (axis, angle, name) in enumerate(zip(about, angles, names, strict=True))
+    ]
+
+
+def _draw_angles(sequence: str, *angles: float) -> Canvas:
+    drawn = canvas(look.TEXT, 2.5)
+    attitudes, about = steps(sequence, *angles), (look.Z, NODE, E3)
+    all_turned = zip(drawn.subplots(1, 3), turns(sequence, *angles), strict=True)
+    for i, (axes, turned) in enumerate(all_turned):
+        draw_rotation(axes, attitudes[i], attitudes[i + 1], turned, NAMES[sequence][i])
+        axes.set_title(f"({'i' * (i + 1)})  {turned[3]} about {about[i]}", color=look.INK)
+    return drawn
+
+
+def euler_angles(sequence: str) -> Drawing:
+    """The three turns of a sequence, "zyz" as in the notes or "zxz", in the notes' letters.
+
+    Its parameters are the angles of that sequence.
+    """
+
+    def words(**_: float) -> dict[str, Any]:
+        return {"nodes": f"e{NODES[sequence] + 1} prime"}
+
+    def angle(name: str, degrees: float, about: str) -> Parameter:
+        least, most = -2 * math.pi, 2 * math.pi
+        return Parameter(name, math.radians(degrees), about, "rad", least=least, most=most)
+
+    return Drawing(
+        "euler-angles",
+        r"Euler's angles: $\phi$ about $\hat{\mathbf z}$, $\theta$ about $\mathbf e_2'$, $\psi$ "
+        r"about $\mathbf e_3$",
+        "3.3",
+        (
+            angle("phi", 60, r"first, about $\hat{\mathbf z}$"),
+            replace(angle("theta", 45, r"second, about $\mathbf e_2'$"), least=0, most=math.pi),
+            angle("psi", 45, r"third, about $\mathbf e_3$"),
+        ),
+        lambda phi, theta, psi: _draw_angles(sequence, phi, theta, psi),
+        r"Euler's angles $\phi$, $\theta$ and $\psi$, here {phi:°}, {theta:°} and {psi:°}: three "
+        "rotations, each about the axis on the broad stripe, from "
+        r"$\hat{\mathbf x}\hat{\mathbf y}\hat{\mathbf z}$ (thin) to "
+        r"$\mathbf e_1\mathbf e_2\mathbf e_3$. The axes that move are dashed before and solid "
+        "after the step.",
+        "Three drawings of a space-fixed frame x, y, z and of a body frame that is turned, first "
+        "by phi, {phi:°} degrees, about z, which gives {nodes}; then by theta, {theta:°} "
+        "degrees, about {nodes}, which brings e3 where it stays; last by psi, {psi:°} degrees, "
+        "about e3, which brings e1 and e2 to their final places.",
+        words,
+        turned=euler_angles,
+    )
+
+
+EULER_ANGLES = euler_angles("zyz")
+
+# --- Two rotations of a book, in one order and in the other --------------------------------------
+
+VIEW_ROTATION_ORDER = View(azimuth=0.5, elevation=0.42)
 HALF = np.array([0.15, 0.5, 0.66])
 """Half the thickness, the width and the height of the book, along x̂, ŷ and ẑ before the turns."""
 
@@ -32,9 +159,6 @@ no other letter in a mirror."""
 
 BAR = np.array([[-0.5, 0.6], [0.5, 0.6]])
 """A bar on the back, along its upper edge."""
-
-TURNED_ABOUT = "#8fd3e3"
-TURN = "#3f7d2a"
 
 Turn: TypeAlias = tuple[int, float]
 """About n₁ (0) or n₂ (1), and by how much (rad)."""
@@ -79,7 +203,7 @@ def leaves(turn: Floats, direction: Floats) -> tuple[Floats, bool]:
     distances = HALF / np.maximum(np.abs(inside), 1e-12)
     axis = int(np.argmin(distances))
     normal = math.copysign(1.0, inside[axis]) * turn[:, axis]
-    return distances[axis] * direction, float(VIEW(normal)[2]) > 0
+    return distances[axis] * direction, float(VIEW_ROTATION_ORDER(normal)[2]) > 0
 
 
 def draw_turned(axes: Axes, turn: Floats, gamma: float, last: Turn | None = None) -> None:
@@ -104,8 +228,8 @@ def draw_turned(axes: Axes, turn: Floats, gamma: float, last: Turn | None = None
         turns = np.outer(np.linspace(0, angle, 61), unit(ends[k]))
         way, z = Rotation.from_rotvec(turns).apply(start), 5.5 if leaves(turn, ends[k])[1] else 2.5
         parts.append(pen.Curve([pen.ORIGIN, 0.95 * ends[k]], TURNED_ABOUT, 4.5, z=1, cap="round"))
-        parts.append(pen.Curve(way, TURN, z=z, head=abs(angle) > 0.2, label="_turn"))
-    pen.draw(axes, parts, VIEW)
+        parts.append(pen.Curve(way, ANGLE, z=z, head=abs(angle) > 0.2, label="_turn"))
+    pen.draw(axes, parts, VIEW_ROTATION_ORDER)
 
 
 def orders(alpha: float, beta: float, gamma: float) -> list[list[tuple[str, Floats, Turn | None]]]:
@@ -122,7 +246,7 @@ def orders(alpha: float, beta: float, gamma: float) -> list[list[tuple[str, Floa
     ]
 
 
-def _draw(**values: float) -> Canvas:
+def _draw_rotation_order(**values: float) -> Canvas:
     drawn = canvas(look.COLUMN, 2.55)
     steps = [step for row in orders(**values) for step in row]
     for (words, turn, last), axes in zip(steps, drawn.subplots(2, 3).flat, strict=True):
@@ -147,7 +271,7 @@ ORDER_OF_ROTATIONS = Drawing(
     "Two turns of a book: $AB$ is not $BA$",
     "",
     rotations_form_a_group.parameters,
-    _draw,
+    _draw_rotation_order,
     r"A book turned by $A$, $2\alpha_1 = {alpha:°}$ about $\mathbf n_1$, and by $B$, "
     r"$2\alpha_2 = {beta:°}$ about $\mathbf n_2$, axes at $\gamma = {gamma:°}$ that stay where "
     "they are. The cover bears an F, the darker back a bar. Above $B$ comes first, below $A$; the "
