@@ -194,52 +194,34 @@ def points(g: float, **given: float) -> Points:
     return Points(masses, np.array([[given[f"{x}{k}"] for x in "xyz"] for k in numbers]), g)
 
 
-@dataclass(frozen=True)
-class Sketch:
-    """What is drawn: places with the farthest at 1, weights to a scale of their own, and N."""
-
-    places: Floats
-    weights: Floats
-    centre: Floats
-    couple: Floats
-
-
-def sketch(body: Points) -> Sketch:
-    """Lengths for the paper; all weights together have the length 0.75, N has 0.6."""
-    reach = float(np.linalg.norm(body.places, axis=1).max()) or 1.0
-    weights = 0.75 * body.weights / np.linalg.norm(body.weights, axis=1).sum()
-    return Sketch(body.places / reach, weights, body.centre / reach, 0.6 * unit(body.torque))
-
-
 def draw_weights(axes: Axes, body: Points) -> None:
     """Each point with its weight, the whole weight at the centre of mass, and the torque of both.
 
-    The paper is as large as they need.
+    The farthest point is at the distance 1; all weights together have the length 0.75, N has 0.6.
     """
-    drawn = sketch(body)
-    end = drawn.centre + drawn.weights.sum(axis=0)
-    side, shift = ("left", (5, 3)) if _room_on_the_right(drawn) else ("right", (-5, 3))
+    reach = float(np.linalg.norm(body.places, axis=1).max()) or 1.0
+    places, centre, couple = body.places / reach, body.centre / reach, 0.6 * unit(body.torque)
+    weights = 0.75 * body.weights / np.linalg.norm(body.weights, axis=1).sum()
+    right = _room_on_the_right(centre, places, np.vstack([0.55 * np.eye(3), 1.15 * couple]))
+    side, shift = ("left", (5, 3)) if right else ("right", (-5, 3))
     parts: list[pen.Part] = pen.axes_of_space(0.45, z=1.5)
-    for k, place in enumerate(drawn.places):
+    for k, place in enumerate(places):
         size = 9 * float(np.cbrt(body.masses[k] / body.masses.max()))  # as balls of one material
-        parts += _point(place, drawn.weights[k], f"$m_{k + 1}$", size)
+        parts += _point(place, weights[k], f"$m_{k + 1}$", size)
     parts += [
-        pen.Arrow(end, look.WEIGHT, lw=2.0, start=drawn.centre),
-        pen.Arrow(drawn.centre, lw=1.6, z=5.5),
-        pen.Mark(drawn.centre, size=4),
-        pen.Words(drawn.centre, look.R_CM, shift, ha=side),
-        pen.couple(drawn.couple, (10, -22)),
+        pen.Arrow(centre + weights.sum(axis=0), look.WEIGHT, lw=2.0, start=centre),
+        pen.Arrow(centre, lw=1.6, z=5.5),
+        pen.Mark(centre, size=4, words=look.R_CM, shift=shift, ha=side),
+        pen.couple(couple, (10, -22)),
     ]
     pen.fit(axes, parts, VIEW_WEIGHTS, (0.12, 0.12, 0.1, 0.1))
 
 
-def _room_on_the_right(drawn: Sketch) -> bool:
+def _room_on_the_right(centre: Floats, places: Floats, tips: Floats) -> bool:
     """Whether the name of the centre of mass is farther from balls and other names on the right."""
-    x, y, _ = VIEW_WEIGHTS(drawn.centre)
-    balls = np.column_stack(VIEW_WEIGHTS(drawn.places)[:2])
-    above = balls + np.array([0.0, 0.09])
-    tips = np.column_stack(VIEW_WEIGHTS(np.vstack([0.55 * np.eye(3), 1.15 * drawn.couple]))[:2])
-    others = np.vstack([balls, above, tips])
+    x, y, _ = VIEW_WEIGHTS(centre)
+    balls, names = (np.column_stack(VIEW_WEIGHTS(each)[:2]) for each in (places, tips))
+    others = np.vstack([balls, balls + np.array([0.0, 0.09]), names])
     right, left = (np.linalg.norm(others - [x + k * 0.1, y + 0.03], axis=1).min() for k in (1, -1))
     return bool(right >= left)
 
