@@ -93,6 +93,7 @@ def test_commands_run_and_print_what_is_shown(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "80")
     for file, text in [*(each for other in PAGES for each in files(other)), *files(page)]:
+        (tmp_path / file).parent.mkdir(exist_ok=True)
         (tmp_path / file).write_text(text, "utf-8")
     for data in (ROOT / "notebooks" / "data").iterdir():
         (tmp_path / data.name).write_bytes(data.read_bytes())

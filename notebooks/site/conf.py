@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import re
 import shutil
+from importlib import import_module
 from pathlib import Path
 
 from rigidtop.cli import main
+from rigidtop.collection.chapters import chapter, chapters
 
 HERE = Path(__file__).parent
 project = "rigidtop"
@@ -59,11 +61,40 @@ shutil.copytree(HERE.parent / "teacher", HERE / "notebooks", dirs_exist_ok=True)
 
 
 LECTURE = HERE / "lecture"
-if main(["lecture", "--format", "myst", "--live", "-o", str(LECTURE)]):
-    raise SystemExit("rigidtop lecture failed")
-if main(["web", "check", "-o", str(LECTURE / "check.html")]):
-    raise SystemExit("rigidtop web check failed")
-html_extra_path = [str(LECTURE / "lecture.html"), str(LECTURE / "check.html")]
+BESIDE = LECTURE / "beside"
+"""Pages that stand beside those of Sphinx, as they are."""
+
+
+CHAPTERS = """\
+# Chapters
+
+Collections of pages that come with rigidtop.  Every line is judged as in the lecture, and each one
+is a start for a chapter of your own: `rigidtop new --from kepler my_chapter` copies it.
+"""
+
+
+def written(*words: str) -> None:
+    """What a command of rigidtop writes."""
+    if main([*words]):
+        raise SystemExit(f"rigidtop {' '.join(words)} failed")
+
+
+written("lecture", "--format", "myst", "--live", "-o", str(LECTURE))
+shutil.rmtree(BESIDE, ignore_errors=True)
+for name, kind, preset in (("top", "heavy-top", "loops"), ("free", "free", "flip")):
+    (BESIDE / name).mkdir(parents=True)
+    written("web", kind, "--preset", preset, "-o", str(BESIDE / name / "index.html"))
+written("web", "check", "-o", str(BESIDE / "check.html"))
+shutil.copy(LECTURE / "lecture.html", BESIDE)
+(BESIDE / "chapters").mkdir()
+doors = []
+for name in chapters():
+    written("lecture", str(chapter(name)), "--no-live", "-o", str(LECTURE / "chapters" / name))
+    shutil.copy(LECTURE / "chapters" / name / "lecture.html", BESIDE / "chapters" / f"{name}.html")
+    told = import_module(f"rigidtop.chapters.{name}")
+    doors.append(f'- <a href="../chapters/{name}.html">{told.TITLE}</a>: {told.SUBTITLE}')
+(LECTURE / "chapters.md").write_text(f"{CHAPTERS}\n{chr(10).join(doors)}\n", "utf-8")
+html_extra_path = [str(BESIDE)]
 
 # Sphinx takes the order of pages from trees of contents, where mystmd has a file.
 pages = re.findall(r"- file: (\S+)\.md", (LECTURE / "myst" / "myst.yml").read_text("utf-8"))

@@ -709,7 +709,7 @@ def test_the_tour_asks_and_then_shows(live):
         live.wait("rigidtop.playing && rigidtop.motion.now.t > 0")
         assert live.find(".tour-told").text == step.told
         assert live.find("#tour .right").text == step.choices[step.answer]
-        assert live.find(".tour-place").text.endswith(f"; {number} of {number} foreseen")
+        assert live.find(".tour-place").text.endswith(f"; {number} of {number} predicted")
         said = live.find(".verdict")
         assert said.is_displayed()
         assert seen in said.text
@@ -720,7 +720,7 @@ def test_the_tour_asks_and_then_shows(live):
     press(live, "t")
     press(live, Keys.TAB * (TOURS[HEAVY]()[0].answer == 0), Keys.ENTER)
     assert live.find("#tour .wrong").is_displayed()
-    assert live.find(".tour-place").text.endswith("; 0 of 1 foreseen")
+    assert live.find(".tour-place").text.endswith("; 0 of 1 predicted")
     press(live, Keys.ESCAPE)
     assert not live.find("#tour").is_displayed()
 

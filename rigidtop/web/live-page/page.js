@@ -25,10 +25,10 @@ const DESCRIPTION = 5000;
 /** Where there is no room for the map over the picture, as in style.css. */
 const narrow = matchMedia("(max-width: 700px), (max-width: 1000px) and (orientation: portrait)");
 /** How a sentence on a ghost that there can't be begins. */
-const NO_GHOST = "Nothing is beside it";
+const NO_GHOST = "Nothing to compare";
 /** What may be chosen of the looks, with words. */
 const LOOKS = /** @type {const} */ ({
-  view: "seen from", shape: "drawn as", plot: "plotted", ghost: "beside it",
+  view: "seen from", shape: "drawn as", plot: "plot", ghost: "compare with",
 });
 
 /**

@@ -73,7 +73,7 @@ function give(/** @type {Blob} */ content, /** @type {string} */ name) {
  * @param {(sentence: string) => void} page.say
  */
 export function createTake(container, { name, picture, scene, link, table, say }) {
-  const menu = element("details", { class: "menu" }, element("summary", {}, "Take along"));
+  const menu = element("details", { class: "menu" }, element("summary", {}, "Export"));
   const list = element("div", { class: "menu-list" });
   menu.append(list);
   container.append(menu);

@@ -61,7 +61,7 @@ export function createTour(container, steps, { show, end }) {
     const known = chosen >= 0;
     const count = answers.filter((each) => each >= 0).length;
     place.textContent = `${at + 1} of ${steps.length}` +
-      (count > 0 ? `; ${right} of ${count} foreseen` : "");
+      (count > 0 ? `; ${right} of ${count} predicted` : "");
     [...choices.children].forEach((each, k) => {
       each.classList.toggle("right", known && k === which);
       each.classList.toggle("wrong", chosen === k && k !== which);
