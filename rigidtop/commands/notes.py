@@ -71,21 +71,23 @@ def audited(
     from rigidtop.judge.text import judged
     from rigidtop.mark.held import held
     from rigidtop.mark.numbered import SECONDS, Numbers, copies, in_its_letters, missing
-    from rigidtop.read.document import problems
+    from rigidtop.read.document import numbered, problems
     from rigidtop.read.project import left_out, macros_of, whole
     from rigidtop.read.walk import places
 
     until = time.process_time() + SECONDS
     source, text, macros = files[0].text, whole(files), macros_of(files)
-    subject, place = subject_of(collection), places(source)
+    place = places(source)
     rows = (judge or judged)(text.text, macros, until)
-    numbers = Numbers(collection.pages, subject, collection.letters)
-    found = copies(rows, text.text, numbers, macros, until)
-    own = in_its_letters(found, subject)
-    told = {line.row.number for each in own for line in each.lines}
-    others = [row for row in rows if row.number not in told]
-    if own:
-        others = [*held(others, subject, until)]
+    own: tuple[Copy, ...] = ()
+    others = [*rows]
+    if numbered(text.text):  # only for these the collection has to be read
+        subject = subject_of(collection)
+        numbers = Numbers(collection.pages, subject, collection.letters)
+        own = in_its_letters(copies(rows, text.text, numbers, macros, until), subject)
+        told = {line.row.number for each in own for line in each.lines}
+        others = [row for row in rows if row.number not in told]
+        others = [*held(others, subject, until)] if own else others
     findings = [
         *(of_claim(each, placing(text, files[0])) for each in own),
         *(of_place(place(p.position)[0], p.reason) for p in problems(source) if not p.skipped),
