@@ -23,6 +23,7 @@ from rigidtop.judge import paths
 from rigidtop.judge.context import START
 from rigidtop.judge.faults import near
 from rigidtop.judge.jets import TIME, Jet, jets, operations, symbol
+from rigidtop.judge.laws import LAGRANGIANS
 from rigidtop.judge.outcome import FALSE, Outcome
 from rigidtop.judge.question import Question
 from rigidtop.judge.sides import ZERO, letters_of, own_letters
@@ -55,7 +56,8 @@ def term(question: Question) -> Outcome | None:
         gap = TR5((left - right).expand()).expand() if short else None
     if gap is None or not _is_monomial(gap):
         gap = _left_out(question.equations, left - right)
-    derived = question.at.derived or _differentiates(question)
+    from_lagrangian = any(x in question.context.definitions for x in LAGRANGIANS)
+    derived = question.at.derived or _differentiates(question) or from_lagrangian
     moves = any(left.has(x) or right.has(x) for x in tops) or _differentiates(question)
     moves |= derived and any(x.has(TIME) for x in question.equations)
     if (

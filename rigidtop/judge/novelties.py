@@ -211,7 +211,10 @@ def law(question: Question) -> Judgement | None:
     heads = {side.of if isinstance(side, n.Rate) else side for side in sides}
     heads |= {x.of for side in sides for x in n.walked(side) if isinstance(x, n.Rate)}
     known = _with_meaning(question)
-    named = own_letters(question.left) & question.context.definitions.keys()
+    said = question.context.definitions
+    named = any(
+        x in said or any(is_component(x, v) for v in said) for x in own_letters(question.left)
+    )
     if named or any(isinstance(x, Letter) and x in known for x in heads):
         # What stands for something moves as that does, if it is not a law.
         wrong = slip(question)

@@ -172,10 +172,15 @@ def _statements(
 
 
 def _mixes(each: Statement | Unread) -> bool:
-    """Whether a differential is a factor in some terms of a sum and not in others: 2Mdx + mx²."""
+    """Whether a differential would stand where none can, so that d is a letter.
+
+    It would be a factor in some terms of a sum and not in others, 2Mdx + mx², or in a cosine.
+    """
     nodes = [x for side in getattr(each, "sides", ()) for x in n.walked(side)]
     sums = (x.terms for x in nodes if isinstance(x, n.Sum))
-    return any(len({_has_differential(term) for term in terms}) > 1 for terms in sums)
+    return any(_has_differential(x.of) for x in nodes if isinstance(x, n.Apply)) or any(
+        len({_has_differential(term) for term in terms}) > 1 for terms in sums
+    )
 
 
 def _has_differential(node: Node) -> bool:

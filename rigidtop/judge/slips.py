@@ -356,11 +356,12 @@ def _scaled(
             new = n.Negative(new)
         elif isinstance(term, n.PlusMinus):
             new = replace(term, of=new)
-        yield (
-            n.rebuilt(node, [*below[:k], new, *below[k + 1 :]]),
-            f"{words} times {plain(bare)}",
-            rank,
-        )
+        told = f"{words} times {plain(bare)}"
+        if isinstance(bare, Number) and isinstance(factor, Number):
+            product = _number(factor.value * bare.value)
+            told = f"{plain(product)} in place of {plain(bare)}"
+            new = n.Negative(product) if isinstance(term, n.Negative) else product
+        yield n.rebuilt(node, [*below[:k], new, *below[k + 1 :]]), told, rank
 
 
 def _swapped(side: Node, angle: Node) -> Node:

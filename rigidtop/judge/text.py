@@ -11,8 +11,8 @@ from itertools import groupby
 from math import inf
 
 from rigidtop.judge.ahead import explained_first
+from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import (
-    PREMISE,
     SETTING,
     START,
     Constraint,
@@ -26,7 +26,7 @@ from rigidtop.judge.judge import Judge
 from rigidtop.judge.letters import CLOCK, is_mass
 from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time, time_of
 from rigidtop.judge.names import is_vector
-from rigidtop.judge.outcome import DEFINITION, SAMPLED, UNDECIDED, UNREAD, Outcome
+from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import LATE, Read, read_text
 from rigidtop.judge.sides import letters_in
@@ -254,12 +254,14 @@ def _step(
         if Cue.CONSTANT not in passage.cues:
             if each.sides[0] in read.habits.units:
                 square = n.Dot(each.sides[0], each.sides[0])
-                one = Constraint(square, n.Number("1"), asked.number, PREMISE)
+                one = Constraint(square, n.Number("1"), asked.number, SUPPOSED)
                 return None, context.holding(one)
             context = _on_circle(each.sides[0], passage, asked.number, context)
             return None, _tending(each.sides[0], passage, context)
         each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
     context = context.within(passage.scope, passage.sentence)
+    if Cue.CONSTRAINT in passage.cues:
+        return row(Outcome(PREMISE, "a constraint")), context
     if Cue.REST in passage.cues:
         placed = _ORIGIN.search(passage.before) is not None
         context = at_rest(context, asked.number, passage.scope, placed)

@@ -34,7 +34,7 @@ _INEQUALITY = re.compile(
     r"[<>≠≤≥≪≫]|\\(?:neq?|not|l[et]q?|g[et]q?|leqslant|geqslant|ll|gg)(?![A-Za-z])"
 )
 _VANISHING = re.compile(r"=\s*0\s*[.,;]?\s*\Z")
-_PREMISES = frozenset({Cue.CASE, Cue.DEFINED, Cue.CONDITION, Cue.CONSTANT})
+_PREMISES = frozenset({Cue.CASE, Cue.DEFINED, Cue.CONDITION, Cue.CONSTANT, Cue.CONSTRAINT})
 _LIST = re.compile(r"[\s,;]*(?:(?:and|or|und|oder|et|ou)[\s,]*)?", re.I)
 _ROW = re.compile(r"(?:§[ ,]*){3,}")
 """A list of letters says no more than two of them."""

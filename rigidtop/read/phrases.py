@@ -93,6 +93,8 @@ class Cue(Enum):
     """It holds where two things are nearly equal: "for coils that are almost alike"."""
     LITTLE = auto()
     """The letter is much smaller than another one: "much heavier than the planet §"."""
+    CONSTRAINT = auto()
+    """It is kept by a force that is not known yet: "with a multiplier for"."""
     CIRCLE = auto()
     """It holds on a circle."""
     OSCILLATION = auto()
@@ -227,6 +229,10 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         rf"\bmuch {_LARGER} than{_NOUN}",
         r"\bviel (?:größer|schwerer|schneller|länger|stärker) als(?: [\w-]+){0,2}",
         r"\bbeaucoup plus (?:grande?|lourde?|rapide|longue?) que(?: [\w-]+){0,2}",
+    ),
+    Cue.CONSTRAINT: (
+        r"\b(?:multipliers?|Multiplikator(?:en)?|multiplicateurs?) (?:for|für|pour)"
+        r"(?: [\w'-]+){0,3}",
     ),
     Cue.CONSTANT: (
         r"(?<!§ is )(?<!^is )\b(?:an?|the|another|one) (?:(?:\w+ )?constant(?: of (?:the )?motion)?"

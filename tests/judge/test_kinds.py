@@ -43,7 +43,34 @@ $$ r = \frac{p}{1 + e\cos\varphi}, \qquad r^2\dot\varphi = h $$
 Hence $$ \dot r = \frac{eh}{p}\sin\varphi $$ and
 """
 WAVE = r"$$ y = A\sin kx\cos ckt $$ is the sum of two waves" + "\n"
+TURNED = r"""
+$$ \boldsymbol\omega = (0, w\cos\beta, w\sin\beta), \qquad \mathbf v = (\dot x, \dot y, \dot z) $$
+The acceleration is $\mathbf c = -2\boldsymbol\omega\times\mathbf v$, in components
+$$ c_x = 2w\dot y\sin\beta - 2w\dot z\cos\beta $$
+"""
+RUBBER = r"""
+$$ L = \frac12 m(\dot r^2 + r^2\dot\theta^2) - \frac12 k(r - b)^2 + mgr\cos\theta $$
+The equation of motion is
+"""
+BEATS = r"""
+$$ y = \frac a2(\cos w_1 t - \cos w_2 t) $$ or, with $s = \frac12(w_1 + w_2)$ and
+$d = \frac12(w_2 - w_1)$,
+"""
+KEPT = r"""
+With a multiplier for $r = R$ the Lagrangian is
+$$ L = \frac12 m(\dot r^2 + r^2\dot\theta^2) - mgr\cos\theta + \lambda(r - R) $$ and
+"""
 KINDS = [
+    ("a component of a vector", TURNED, r"c_y = -2w\dot x\sin\beta", "= -2", "= 2"),
+    (
+        "an equation of two terms",
+        RUBBER,
+        r"r\ddot\theta + 2\dot r\dot\theta + g\sin\theta = 0",
+        r"2\dot r\dot\theta +",
+        "",
+    ),
+    ("d that is a letter", BEATS, r"y = a\sin st\sin dt", "= a", "= -a"),
+    ("a multiplier", KEPT, r"m\ddot r = mr\dot\theta^2 - mg\cos\theta + \lambda", "- mg", "+ mg"),
     (
         "a place where it stays",
         TOP,

@@ -183,6 +183,7 @@ CUES = {
     "There both are equal: $$b=c$$": ["BOTH_EQUAL MOMENT"],
     "A particular solution is $$b=c$$": ["PARTICULAR"],
     "It holds (not at the poles, where $a=b$).": ["DEFINED EXCEPTED"],
+    "With a multiplier for $a=b$ we have $$b=c$$": ["CONSTRAINT DEFINED", "DERIVED"],
     "On a circle of radius $a$ we have $$b=c$$": ["CIRCLE CIRCUMSTANCE DERIVED"],
     "Energy is conserved. Hence $$b=c$$": ["CONSERVED DERIVED"],
     "It stays the same, so $$b=c$$": ["DERIVED KEPT REPEATED"],
