@@ -182,7 +182,7 @@ def _stages(problem: Problem, end: float, accuracy: Accuracy) -> Iterator[Flow]:
                 rtol=accuracy.rtol,
                 atol=accuracy.atol * unit,
                 dense_output=True,
-                first_step=step and min(step, abs(end - time)),
+                first_step=(step and min(step, abs(end - time))) or None,
                 events=events,
             )
         time, state = float(solution.t[-1]), solution.y[:, -1]

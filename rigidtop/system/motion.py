@@ -22,7 +22,7 @@ from rigidtop.system.events import Watched, Zeros, joined_zeros, zeros
 from rigidtop.system.held import Surface
 from rigidtop.system.names import Given, expression, numbers
 from rigidtop.system.numeric import Computed, computed
-from rigidtop.system.start import SystemStart, at_its_size, row, sizes, with_units
+from rigidtop.system.start import SystemStart, at_its_size, least_size, row, sizes, with_units
 from rigidtop.system.trajectory import SystemSection, SystemTrajectory
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ class SystemMotion(SystemStart):
                 self.keeps_signs(made.path(made.steps))
                 return made
 
-            return at_its_size(run, self._sizes, start)
+            return at_its_size(run, self._sizes, start, least_size(self.system, accuracy))
 
         with np.errstate(all="ignore"):
             states = on_both_sides(flows, start, times, sample)

@@ -22,7 +22,7 @@ from rigidtop.parameters import in_one_line
 from rigidtop.system.held import Surface
 from rigidtop.system.names import Given, expression
 from rigidtop.system.numeric import Computed, computed
-from rigidtop.system.start import HOLDS, SystemStart, at_its_size, sizes
+from rigidtop.system.start import HOLDS, SystemStart, at_its_size, least_size, sizes
 from rigidtop.system.trajectory import header
 
 JUMPS = (
@@ -211,7 +211,7 @@ class Variation:
             self.motion.keeps_signs(made.path(made.steps))
             return made
 
-        return at_its_size(run, own, self.start)
+        return at_its_size(run, own, self.start, least_size(self.motion.system, how))
 
     def _taylor(self, unit: Floats, end: float, rtol: float) -> Flow:
         """By heyoka's Taylor series, of the state in `unit`s."""

@@ -13,7 +13,7 @@ from sympy import Expr, Symbol
 from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import Flow
+from rigidtop.motion.integrate import Accuracy, Flow
 from rigidtop.motion.systems import Sizes
 from rigidtop.system.names import Given
 from rigidtop.system.numeric import Computed, computed
@@ -23,6 +23,9 @@ HOLDS = 1e-9
 
 TOO_SMALL = 1e-3
 """A motion that stays below this part of what its tolerances are fractions of is done again."""
+
+ROUNDING = 1e-15
+"""Of a sum whose terms come to 1, such as an acceleration in which a weight and a force cancel."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -163,13 +166,28 @@ def sizes(system: Computed, states: Floats) -> Floats:
     return made
 
 
-def at_its_size(run: Callable[[Sizes], Flow], sizes: Sizes, start: Floats) -> Flow:
-    """A flow with tolerances that are fractions of `sizes`; again, where all stays far below."""
+def at_its_size(
+    run: Callable[[Sizes], Flow], sizes: Sizes, start: Floats, least: float = 0.0
+) -> Flow:
+    """A flow with tolerances that are fractions of `sizes`; again, where all stays far below.
+
+    The second time they are fractions of what it comes to, and not below `least` of what they were.
+    """
     made = run(sizes)
-    largest = sizes(np.abs(made.path(made.steps)).max(axis=1))
-    if np.all(largest > TOO_SMALL * sizes(start)):
+    before = sizes(start)
+    largest = np.maximum(sizes(np.abs(made.path(made.steps)).max(axis=1)), least * before)
+    if np.all(largest >= TOO_SMALL * before):
         return made
     return run(lambda _: largest)
+
+
+def least_size(system: Computed, accuracy: Accuracy) -> float:
+    """Below this part of their first size tolerances would be less than rounding.
+
+    Forces of constraints cancel large ones, such as a weight, so that a system at rest moves by
+    their rounding, however small its motion is; without constraints nothing is left at rest.
+    """
+    return ROUNDING / accuracy.atol if system.constraints else 0.0
 
 
 def with_units(system: Computed, units: Floats, parameters: Floats) -> Floats:

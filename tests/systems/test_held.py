@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from sympy import Rational, cos, sin, sqrt, symbols
 
 import rigidtop as rt
@@ -103,3 +105,59 @@ def test_constraints_that_fall_together_and_those_of_velocities_are_refused():
     for asked in (rolling.equilibria, lambda: rolling.small({})):
         with pytest.raises(rt.RigidtopError, match="u - v\\*x = 0 is a constraint of velocities"):
             asked()
+
+
+TURNED = rt.System(
+    m * (u**2 + v**2) / 2 - m * g * (y * cos(a) + x * sin(a)),
+    [x, y],
+    [u, v],
+    constraints=x**2 + y**2 - length**2,
+)
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    st.floats(-6, 3),
+    st.floats(-3.1, 3.1),
+    st.floats(-13, -4),
+    st.floats(-14, -8),
+    st.booleans(),
+)
+def test_a_pendulum_at_rest_stays_at_rest_to_any_tolerance(power, tilt, rtol, atol, upright):
+    """Its weight and the rod's force cancel to rounding, which no tolerance may resolve."""
+    size, sign = 10.0**power, -1 if upright else 1
+    start = [-sign * size * np.sin(tilt), -sign * size * np.cos(tilt)]
+    motion = TURNED.motion({m: 1.5, g: 9.81, length: size, a: tilt}, start)
+    time = 3 * np.sqrt(size)  # half of a swing
+    atol = max(10.0**atol, 1e-16 * size)
+    run = motion.integrate((0, time), rtol=10.0**rtol, atol=atol)
+    speed = np.sqrt(9.81 * size)
+    assert np.max(np.abs(run.q - start)) < 1e-11 * size + atol * time
+    assert np.max(np.abs(run.qdot)) < 1e-11 * speed + atol
+    assert run.drift()["constraint 1"] < 1e-14
+
+
+@pytest.mark.parametrize("rtol", [1e-6, 1e-10, 1e-12])
+@pytest.mark.parametrize("swing", [1e-9, 1e-5, 1.0])
+def test_a_pendulum_released_by_constraint_swings_as_by_its_angle(swing, rtol):
+    """From rest, in axes that are tilted, so that no coordinate of the swing stands alone."""
+    motion = TURNED.motion(
+        {m: 1.5, g: 9.81, length: 2.0, a: 0.7},
+        [2 * np.sin(swing - 0.7), -2 * np.cos(swing - 0.7)],
+    )
+    run = motion.integrate((0, 4), rtol=rtol, atol=1e-14)
+    other = BY_ANGLE.motion(NUMBERS, swing).integrate((0, 4), "taylor", rtol=1e-15)
+    along = run.q @ [np.cos(0.7), -np.sin(0.7)]
+    assert np.max(np.abs(along / 2 - np.sin(other.q[:, 0]))) < 100 * rtol * swing + 5e-14
+
+
+def test_a_constraint_that_ends_ends_the_motion():
+    """A circle that shrinks to nothing at t = 1: there is no motion on it afterwards."""
+    time = symbols("t")
+    circle = rt.System(m * (u**2 + v**2) / 2, [x, y], [u, v], constraints=x**2 + y**2 + time - 1)
+    for rtol in (1e-6, 1e-10, 1e-12):
+        with pytest.raises(rt.RigidtopError, match="the integration stopped at t = 1 on the way"):
+            circle.motion({m: 1}, [1, 0], [-0.5, 1]).integrate((0, 2), rtol=rtol)
+    for off in (1e-6, 1e-3):
+        with pytest.raises(rt.RigidtopError, match="does not hold at the start"):
+            BOB.motion(NUMBERS, [0, -2 - off])
