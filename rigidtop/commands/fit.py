@@ -76,7 +76,7 @@ def run(options: argparse.Namespace) -> int:
         raise RigidtopError("--output wants a file with the suffix .svg, .pdf or .png")
     data = recording(options.file, options.since, options.to)
     given = {f"lambda{k}": getattr(options, f"lambda{k}") for k in (1, 2, 3)}
-    fit: Fit = _fit()(data.t, **data.columns, **given, misalignment=options.misalignment)
+    fit: Fit[Any] = _fit()(data.t, **data.columns, **given, misalignment=options.misalignment)
     if options.output is not None:
         from rigidtop.figures.trajectories import compared
         from rigidtop.terminal.files import write_whole
@@ -102,7 +102,7 @@ def _fit() -> Any:
     return rigidtop.fit
 
 
-def _rows(fit: Fit, scaled: bool) -> list[tuple[str, str, str, str]]:
+def _rows(fit: Fit[Any], scaled: bool) -> list[tuple[str, str, str, str]]:
     """Values to two digits of their errors."""
     rows = []
     for name, value in fit.values.items():
@@ -123,14 +123,14 @@ def _power(value: float) -> int:
     return math.floor(math.log10(abs(value))) if value else 0
 
 
-def _noise(fit: Fit) -> dict[str, float]:
+def _noise(fit: Fit[Any]) -> dict[str, float]:
     """The root mean square of the residuals, by column."""
     return {
         name: math.sqrt(float((residual**2).mean())) for name, residual in fit.residuals.items()
     }
 
 
-def _words(fit: Fit, scaled: bool) -> list[str]:
+def _words(fit: Fit[Any], scaled: bool) -> list[str]:
     noise = ", ".join(f"{name} {value:.2g}" for name, value in _noise(fit).items())
     first = float(fit.t[0])
     lines = [
@@ -147,7 +147,7 @@ def _words(fit: Fit, scaled: bool) -> list[str]:
     return lines
 
 
-def _record(fit: Fit) -> dict[str, Any]:
+def _record(fit: Fit[Any]) -> dict[str, Any]:
     return {
         "values": fit.values,
         "errors": fit.errors,

@@ -75,7 +75,7 @@ HEIGHT = 3.6
 """Of the figure (inches)."""
 
 
-def compared(fit: Fit, kind: str) -> bytes:
+def compared(fit: Fit[Any], kind: str) -> bytes:
     """The bytes of a figure as "svg", "pdf" or "png": dots on curves, and residuals below."""
     with matplotlib.rc_context(STYLE):
         figure = canvas(look.TEXT, HEIGHT)

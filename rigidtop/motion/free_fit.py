@@ -25,7 +25,7 @@ SHAPE = (1.0, 1.6, 2.2)
 """Moments of other starts, in every order."""
 
 
-class FreeFit(Fit):
+class FreeFit(Fit[Motion]):
     """Of a free body; L and E are in units in which the moments are the `values`."""
 
     @property
@@ -51,7 +51,7 @@ TUMBLES = (
 
 
 @dataclass(frozen=True, eq=False)
-class FreeModel(Model):
+class FreeModel(Model[Motion]):
     """log λ of what is not given, ω at the first time, the sensor's turn, the first attitude."""
 
     unknown = TUMBLES

@@ -12,14 +12,16 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 from scipy.optimize import least_squares
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.motion import Motion
+
+Moves = TypeVar("Moves", covariant=True)
+"""The kind of the motion."""
 
 STEP = 1e-7
 """Of a derivative by a parameter, relative to the parameter or 1."""
@@ -41,10 +43,10 @@ VAGUE = 0.2
 
 
 @dataclass(frozen=True, eq=False)
-class Fit:
-    """What measurements tell of a body, made by `rigidtop.fit`."""
+class Fit(Generic[Moves]):
+    """What measurements tell of a body or a system, made by `rigidtop.fit` or `System.fit`."""
 
-    motion: Motion
+    motion: Moves
     """The motion that fits, at t = 0 of the measured times: ``fit.motion.exact(t)``."""
 
     values: dict[str, float]
@@ -79,7 +81,7 @@ class Fit:
 
 
 @dataclass(frozen=True, eq=False)
-class Model(ABC):
+class Model(ABC, Generic[Moves]):
     """Measurements, and a motion with parameters in a row; of many such rows the columns."""
 
     t: Floats
@@ -106,12 +108,30 @@ class Model(ABC):
     unknown: ClassVar[str]
     """What is said where nothing can be known."""
 
+    significant: ClassVar[float] = SIGNIFICANT
+    """By so many variances the motion must be better than `still`."""
+
+    rank: ClassVar[float] = RANK
+    """A singular value of the slopes below this part of the largest is none."""
+
+    @property
+    def sigma(self) -> Floats | None:
+        """The noise of each column, (m,), or None where the residuals have to tell it."""
+        return None
+
+    def unknown_along(self, parameters: Floats, changes: Floats, norms: Floats) -> str:
+        """What is said where changes of the parameters (j, n) change nothing that was measured.
+
+        They are told in units of 1/`norms`, by which each parameter alone changes as much.
+        """
+        return self.unknown
+
     @abstractmethod
     def telling(self, parameters: Floats) -> Floats:
         """What the errors of the first parameters must be small to."""
 
     @abstractmethod
-    def motion(self, parameters: Floats, values: dict[str, float], since: float) -> Motion:
+    def motion(self, parameters: Floats, values: dict[str, float], since: float) -> Moves:
         """The motion at t = 0, with a first time `since`."""
 
     def settled(self, parameters: Floats) -> Floats:
@@ -125,6 +145,10 @@ class Model(ABC):
     @abstractmethod
     def still(self) -> Floats:
         """Residuals (N, m) of the motion from which nothing can be known."""
+
+    def slopes(self, parameters: Floats, rows: Any, weights: Floats) -> Floats:
+        """Derivatives of the `residuals` by the parameters, (N m, n)."""
+        return _slopes(lambda p: self.residuals(p, rows, weights), parameters)
 
     @cached_property
     def data(self) -> Floats:
@@ -146,22 +170,19 @@ def _slopes(function: Callable[[Floats], Floats], parameters: Floats) -> Floats:
     return made
 
 
-def _descended(model: Model, start: Floats, rows: Any, weights: Floats, patience: int) -> Any:
+def _descended(model: Model[Any], start: Floats, rows: Any, weights: Floats, patience: int) -> Any:
     """The least squares near a start: SciPy's result."""
 
     def residuals(parameters: Floats) -> Floats:
-        return model.residuals(parameters, rows, weights)
-
-    def first(parameters: Floats) -> Floats:
-        return np.asarray(residuals(parameters)[0])
+        return np.asarray(model.residuals(parameters, rows, weights)[0])
 
     def slopes(parameters: Floats) -> Floats:
-        return _slopes(residuals, parameters)
+        return model.slopes(parameters, rows, weights)
 
-    return least_squares(first, start, slopes, method="lm", x_scale="jac", max_nfev=patience)
+    return least_squares(residuals, start, slopes, method="lm", x_scale="jac", max_nfev=patience)
 
 
-def _searched(model: Model, weights: Floats) -> Floats:
+def _searched(model: Model[Any], weights: Floats) -> Floats:
     """Parameters of the best motion to which a start leads."""
     count, starts = len(model.t), model.starts()
     ends = [_descended(model, starts[0], _spread(count), weights, 60)]
@@ -179,7 +200,7 @@ def _spread(stop: int) -> Any:
     return np.unique(np.linspace(0, stop - 1, min(stop, SEARCHED)).astype(int))
 
 
-def _sizes(model: Model, residuals: Floats) -> Floats:
+def _sizes(model: Model[Any], residuals: Floats) -> Floats:
     """The root mean square of residuals (N, m), for each column that of its instrument."""
     groups, squares = np.array(model.groups), (residuals**2).mean(axis=0)
     size = np.sqrt([squares[groups == group].mean() for group in groups])
@@ -188,42 +209,47 @@ def _sizes(model: Model, residuals: Floats) -> Floats:
     return sizes
 
 
-def solved(model: Model) -> tuple[Floats, Floats]:
+def solved(model: Model[Any]) -> tuple[Floats, Floats]:
     """Parameters and their covariance; RigidtopError where the measurements do not tell them."""
     if model.data.size <= 2 * len(model.starts()[0]):
         raise RigidtopError(f"{len(model.t)} rows are too few to fit a motion")
     still = model.still()
-    weights = 1 / _sizes(model, still)
+    known = None if model.sigma is None else 1 / model.sigma
+    weights = 1 / _sizes(model, still) if known is None else known
     parameters = _searched(model, weights)
     for _ in range(3):  # the noise of each instrument comes from what the last fit leaves
         end = _descended(model, parameters, slice(None), weights, 60)
         parameters = model.settled(end.x)
         residuals = end.fun.reshape(still.shape) / weights
-        weights = 1 / _sizes(model, residuals)
+        weights = 1 / _sizes(model, residuals) if known is None else known
     left = float(np.square(residuals * weights).sum())
     variance = left / (still.size - len(parameters))
-    if np.square(still * weights).sum() - left < SIGNIFICANT * variance:
+    if np.square(still * weights).sum() - left < model.significant * variance:
         raise RigidtopError(model.unknown)
-    slopes = _slopes(lambda p: model.residuals(p, slice(None), weights), parameters)
-    covariance = variance * _inverse(slopes, model.unknown)
+    inverse = _inverse(model, parameters, model.slopes(parameters, slice(None), weights))
+    covariance = inverse * (variance if known is None else 1.0)
     scales = model.telling(parameters)
     if np.any(np.sqrt(np.diag(covariance))[: len(scales)] > VAGUE * scales):
         raise RigidtopError(model.unknown)
     return parameters, covariance
 
 
-def _inverse(slopes: Floats, unknown: str) -> Floats:
+def _inverse(model: Model[Any], parameters: Floats, slopes: Floats) -> Floats:
     """(JᵀJ)⁻¹ of slopes J (rows, n); RigidtopError where some parameters change nothing."""
     norms = np.linalg.norm(slopes, axis=0)
-    _, singular, across = np.linalg.svd(slopes / np.where(norms, norms, 1.0), full_matrices=False)
-    if singular[-1] < RANK * singular[0]:
-        raise RigidtopError(unknown)
+    norms[norms == 0] = 1.0
+    _, singular, across = np.linalg.svd(slopes / norms, full_matrices=False)
+    nothing = singular <= model.rank * singular[0]
+    if nothing.any():
+        raise RigidtopError(model.unknown_along(parameters, across[nothing], norms))
     root = across.T / singular / norms[:, None]
     inverse: Floats = root @ root.T
     return inverse
 
 
-def told(model: Model, parameters: Floats, covariance: Floats) -> tuple[dict[str, float], Floats]:
+def told(
+    model: Model[Any], parameters: Floats, covariance: Floats
+) -> tuple[dict[str, float], Floats]:
     """Quantities, and their covariance."""
     values = {name: float(x[0]) for name, x in model.quantities(parameters[None]).items()}
     slopes = _slopes(lambda p: np.stack([*model.quantities(p).values()], axis=-1), parameters)

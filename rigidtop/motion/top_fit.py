@@ -17,7 +17,7 @@ from rigidtop.motion.motion import Motion
 from rigidtop.motion.top import HeavyTop
 
 
-class TopFit(Fit):
+class TopFit(Fit[Motion]):
     """Of a heavy symmetric top; its `motion` has λ₁ = 1 and M = 1."""
 
     @property
@@ -47,7 +47,7 @@ def _lines(columns: list[Floats], wanted: Floats) -> Floats:
 
 
 @dataclass(frozen=True, eq=False)
-class TopModel(Model):
+class TopModel(Model[Motion]):
     """λ₃ω₃/λ₁, MgR/λ₁, θ, θ̇, φ and φ̇ sin θ at the first time; with ψ measured ω₃ and ψ too."""
 
     unknown = NUTATES

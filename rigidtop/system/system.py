@@ -8,6 +8,7 @@ from functools import cached_property
 from html import escape
 from typing import TYPE_CHECKING, Any
 
+from numpy.typing import ArrayLike
 from sympy import Expr, Matrix
 
 from rigidtop.errors import RigidtopError
@@ -21,6 +22,7 @@ from rigidtop.system.parts import Body, Mass, potential_energy
 if TYPE_CHECKING:
     from rigidtop.proof.equation import Equation
     from rigidtop.system.derivation import Derivation
+    from rigidtop.system.fit import SystemFit
     from rigidtop.system.many import SystemMotions
     from rigidtop.system.motion import SystemMotion
     from rigidtop.system.steady import Small
@@ -284,3 +286,52 @@ class System(Computed):
         from rigidtop.system.many import many
 
         return many(self, parameters or {}, q, qdot)
+
+    def fit(
+        self,
+        t: ArrayLike,
+        measured: Mapping[Expr, ArrayLike],
+        parameters: Mapping[Expr, object] | None = None,
+        start: Mapping[Expr, object] | None = None,
+        known: Mapping[Expr, object] | None = None,
+        sigma: Given = None,
+        starts: int = 8,
+        method: str | None = None,
+        rtol: float = 1e-9,
+        atol: float = 1e-11,
+    ) -> SystemFit:
+        """The parameters, and the start, with which the motion fits measurements best.
+
+        `t` (s) are N times that increase; the start is that at t = 0.  `measured` has N numbers for
+        each quantity that was measured: coordinates, or expressions of q, q̇, t and the parameters.
+
+        `parameters` are those that are looked for, with a value to start from or a pair (low, high)
+        between which the search begins, and `known` has the numbers of all others.  `start` has
+        coordinates and velocities at t = 0 that are known, or such a pair; those that it leaves out
+        are found too.  The search begins at so many places as `starts` says and goes on through
+        windows of the time that double, so that it does not end in a wrong number of turns.
+
+        Noise is independent from row to row, with the standard deviation `sigma`, a number or one
+        for each quantity; without it, its size is that of the residuals of each quantity.
+        `method`, `rtol` and `atol` are those of the motions; see `SystemMotion.sensitivities`.
+
+        Raises RigidtopError for what can't be known from the measurements, and names it, and for a
+        force that jumps, of which there are no derivatives.
+
+        >>> import numpy as np
+        >>> from sympy import symbols
+        >>> m, k, c = symbols("m k c", positive=True)
+        >>> x, v = symbols("x v", real=True)
+        >>> spring = System(m*v**2/2 - k*x**2/2, [x], [v], rayleigh=c*v**2/2)
+        >>> t = np.linspace(0, 10, 101)
+        >>> data = spring.motion({m: 0.5, k: 8, c: 0.1}, q=1.0).integrate(t).q[:, 0]
+        >>> data += 0.01*np.random.default_rng(1).normal(size=101)
+        >>> fit = spring.fit(t, {x: data}, {k: (1, 30), c: (0, 1)}, start={v: 0}, known={m: 0.5})
+        >>> print(f"{fit.parameters[k]:.3f} ± {fit.errors['k']:.3f}")
+        8.001 ± 0.002
+        """
+        from rigidtop.system.fit import fitted
+
+        how = {"method": method or self.numeric.method, "rtol": rtol, "atol": atol}
+        given = (parameters or {}, start or {}, known or {})
+        return fitted(self, t, measured, *given, sigma, starts, how)
