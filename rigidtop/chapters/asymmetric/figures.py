@@ -1,0 +1,303 @@
+"""Poincaré's section with Kovalevskaya's integral and without, and two neighbours that part."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from rigidtop.figures import picture as pen
+from rigidtop.figures import style as look
+from rigidtop.figures.drawing import Drawing, Film
+from rigidtop.figures.space import View
+from rigidtop.figures.style import Canvas, Floats
+from rigidtop.parameters import Parameter
+
+from .top import angle_rates, parameters, system
+
+MOMENT = Parameter("lambda1", 1.5, r"$\lambda_1$ by $\lambda_3$", least=1.0, most=3.0)
+
+Moments = tuple[float, float, float]
+KOVALEVSKAYA: Moments = (2.0, 2.0, 1.0)
+
+
+def other(lambda1: float) -> Moments:
+    """The top beside Kovalevskaya's, of which one moment is another."""
+    return lambda1, 2.0, 1.0
+
+
+# --- The section ---------------------------------------------------------------------------------
+
+ENERGY = Parameter("energy", 0.5, "$E$ by $MgR$", least=-0.9, most=3.0)
+ROWS, STEP = 12001, 0.05
+CURVES = 8
+"""Motions that start on each of the two lines through the middle."""
+
+
+class Starts(NamedTuple):
+    """States with e₃ level and no angular momentum about the vertical, an entry each."""
+
+    chi: Floats
+    rate: Floats
+    omega: tuple[Floats, Floats]
+
+
+def starts(moments: Moments, energy: float) -> Starts:
+    """From places on the lines ω₃ = 0 and χ = 0 of the section, with MgR = 1."""
+    shares = (np.arange(CURVES) + 0.5) / CURVES
+    widest = math.acos(max(-energy, -1.0))
+    chi = np.concatenate([widest * (2 * shares - 1), np.zeros(CURVES)])
+    most = math.sqrt(2 * (energy + 1) / moments[2])
+    rate = np.concatenate([np.zeros(CURVES), most * (2 * shares - 1)])
+    left = 2 * (energy + np.cos(chi)) - moments[2] * rate**2
+    # Along the level axis e₁ × (λ₁γ₁, λ₂γ₂, 0): then L_z = 0.
+    along = np.array([moments[1] * np.sin(chi), moments[0] * np.cos(chi)])
+    size = np.sqrt(left / (moments[0] * along[0] ** 2 + moments[1] * along[1] ** 2))
+    return Starts(chi, rate, (size * along[0], size * along[1]))
+
+
+@lru_cache(maxsize=16)
+def points(moments: Moments, energy: float) -> tuple[tuple[Floats, Floats], ...]:
+    """χ and ω₃ of the points of each motion."""
+    chi, rate, omega = starts(moments, energy)
+    triples = zip(chi, zip(*omega, rate, strict=True), strict=True)
+    rates = np.transpose([angle_rates(math.pi / 2, *each) for each in triples])
+    begin = [0.0, math.pi / 2, chi]
+    motions = system().motions(parameters(moments, 1.0), begin, list(rates))
+    q, qdot = motions.integrate(STEP * np.arange(ROWS), rtol=1e-9, atol=1e-11)
+    return tuple(level(q[k], qdot[k]) for k in range(len(chi)))
+
+
+def level(q: Floats, qdot: Floats) -> tuple[Floats, Floats]:
+    """χ and ω₃ where e₃ is level, whichever way it passes: the two are mirrored."""
+    height = q[:, 1] - math.pi / 2
+    rows = np.flatnonzero(height[:-1] * height[1:] < 0)
+    first, second = (height[rows + k] for k in (0, 1))
+    speeds = tuple(STEP * qdot[rows + k, 1] for k in (0, 1))
+    share = first / (first - second)
+    for _ in range(4):
+        share -= cubic(first, second, *speeds, share) / (STEP * _speed(qdot, rows, share))
+    chi = cubic(
+        q[rows, 2], q[rows + 1, 2], STEP * qdot[rows, 2], STEP * qdot[rows + 1, 2], share
+    )
+    turned = (chi + math.pi) % (2 * math.pi) - math.pi
+    return turned, (1 - share) * qdot[rows, 2] + share * qdot[rows + 1, 2]
+
+
+def _speed(qdot: Floats, rows: Any, share: Floats) -> Floats:
+    return (1 - share) * qdot[rows, 1] + share * qdot[rows + 1, 1]
+
+
+def cubic(a: Floats, b: Floats, slope: Floats, after: Floats, x: Floats) -> Floats:
+    """At x, of the cubic with these values and slopes at 0 and 1."""
+    rest = b - a
+    return a + x * (slope + x * (3 * rest - 2 * slope - after + x * (slope + after - 2 * rest)))
+
+
+def draw_section(axes: Axes, moments: Moments, energy: float) -> None:
+    """The points of all motions, those of one of them in another colour, and the edge."""
+    found = points(moments, energy)
+    one = CURVES // 2 - 2
+    most = math.sqrt(2 * (energy + 1) / moments[2])
+    chi = np.linspace(-1, 1, 361) * math.acos(max(-energy, -1.0))
+    edge = np.sqrt(np.maximum(2 * (energy + np.cos(chi)) / moments[2], 0.0))
+    parts: list[pen.Part] = [pen.guide((chi, sign * edge)) for sign in (1.0, -1.0)]
+    for k, each in enumerate(found):
+        color = look.SECOND if k == one else look.FIRST
+        parts.append(pen.Mark(each, color, 0.8, z=3 if k == one else 2, width=0.0))
+    pen.draw(axes, parts)
+    axes.set(xlabel=r"$\chi$  (rad)", ylim=(-1.08 * most, 1.08 * most))
+
+
+def _section(lambda1: float, energy: float) -> Canvas:
+    drawn = look.canvas(look.TEXT, 2.8)
+    with_it, without = drawn.subplots(1, 2, sharex=True, sharey=True)
+    draw_section(with_it, KOVALEVSKAYA, energy)
+    draw_section(without, other(lambda1), energy)
+    with_it.set(ylabel=r"$\omega_3$  by  $\nu_3$")
+    return drawn
+
+
+SECTION = Drawing(
+    "section",
+    "Where the third axis is level",
+    "4",
+    (MOMENT, ENERGY),
+    _section,
+    r"The points of sixteen motions with $E/MgR = {energy}$ and $L_z = 0$, those of one of them in "
+    r"another colour; thin: the edge. Left $\lambda_1 = \lambda_2 = 2\lambda_3$; right "
+    r"$\lambda_1 = {lambda1}\,\lambda_3$, and the other two as before.",
+    "Two charts of the rate omega 3 over the angle chi, at the energy {energy}. On the left the "
+    "points of each motion lie on smooth closed curves. On the right, where the first moment is "
+    "{lambda1} times the third, a few curves surround islands, and scattered points fill the rest.",
+)
+
+# --- The neighbours ------------------------------------------------------------------------------
+
+CHI = Parameter("chi", -0.9, r"$\chi$ at the start", "rad", least=-1.8, most=1.8)
+APART, SHOWN = 1e-7, 120.0
+NEAR = 0.03
+"""Up to here a distance grows in proportion."""
+
+VIEW = View(azimuth=0.6, elevation=0.2)
+
+
+class Pair(NamedTuple):
+    """Two tops beside each other at N times."""
+
+    t: Floats
+    """In 1/ν₃."""
+    tips: Floats
+    """The axes e₁ in space (2, N, 3)."""
+    distance: Floats
+    """Of ω and γ, (N,)."""
+
+
+@lru_cache(maxsize=16)
+def pair(moments: Moments, chi: float) -> Pair:
+    """Two that start with E = MgR/2 and ω₃ = 0, as nearly at χ."""
+    size = math.sqrt(2 * (0.5 + math.cos(chi)))
+    along = moments[1] * math.sin(chi), moments[0] * math.cos(chi)
+    size /= math.sqrt(moments[0] * along[0] ** 2 + moments[1] * along[1] ** 2)
+    rates = angle_rates(math.pi / 2, chi, (size * along[0], size * along[1], 0.0))
+    begin = [0.0, math.pi / 2, np.array([chi, chi + APART])]
+    t = np.linspace(0.0, SHOWN, 1201)
+    motions = system().motions(parameters(moments, 1.0), begin, rates)
+    q, qdot = motions.integrate(t, rtol=1e-12, atol=1e-14)
+    states = np.concatenate([vertical(q), body_rates(q, qdot)], axis=-1)
+    return Pair(t, tips(q), np.linalg.norm(states[1] - states[0], axis=-1))
+
+
+def vertical(q: Floats) -> Floats:
+    """γ₁, γ₂ and γ₃ (…, 3)."""
+    theta, psi = q[..., 1], q[..., 2]
+    flat = np.sin(theta)
+    return np.stack([-flat * np.cos(psi), flat * np.sin(psi), np.cos(theta)], axis=-1)
+
+
+def body_rates(q: Floats, qdot: Floats) -> Floats:
+    """ω₁, ω₂ and ω₃ (…, 3)."""
+    gamma, psi = vertical(q), q[..., 2]
+    zero = np.zeros_like(psi)
+    nodes = np.stack([np.sin(psi), np.cos(psi), zero], axis=-1)
+    spin = np.stack([zero, zero, qdot[..., 2]], axis=-1)
+    return np.asarray(qdot[..., :1] * gamma + qdot[..., 1:2] * nodes + spin)
+
+
+def tips(q: Floats) -> Floats:
+    """e₁ in space (…, 3)."""
+    (s, c), (over, flat), (turn, straight) = (
+        (np.sin(x), np.cos(x)) for x in np.moveaxis(q, -1, 0)
+    )
+    return np.stack(
+        [c * flat * straight - s * turn, s * flat * straight + c * turn, -over * straight], axis=-1
+    )
+
+
+def exponent(two: Pair) -> tuple[float, float]:
+    """σ of the straight line that fits best, and the logarithm of the distance with which it starts.
+
+    It is fitted up to where the distance is no longer small for the first time.
+    """
+    far = np.flatnonzero(two.distance > NEAR)
+    last = int(far[0]) if len(far) else len(two.t)
+    slope, start = np.polyfit(two.t[:last], np.log(two.distance[:last]), 1)
+    return float(slope), float(start)
+
+
+def draw_distances(axes: Axes, lambda1: float, chi: float, until: int | None = None) -> None:
+    """The distances of both pairs as far as a row, and the line that fits."""
+    with_it, without = pair(KOVALEVSKAYA, chi), pair(other(lambda1), chi)
+    slope, start = exponent(without)
+    fitted = np.exp(start + slope * without.t)
+    line = (without.t[fitted < 3], fitted[fitted < 3])
+    parts: list[pen.Part] = [
+        pen.Curve((with_it.t[:until], with_it.distance[:until]), look.FIRST, 0.9, label="with"),
+        pen.Curve((without.t[:until], without.distance[:until]), look.SECOND, 0.9, label="without"),
+        pen.Curve(line, look.INK, 0.9, look.DASHED, label=r"$\delta_0e^{\sigma t}$"),
+    ]
+    pen.draw(axes, parts)
+    axes.set(xlim=(0, SHOWN), ylim=(APART / 10, 10), yscale="log", xlabel=r"$\nu_3t$")
+    axes.set_ylabel(r"$\delta$")
+    pen.legend_above(axes, ncols=3)
+
+
+TRAIL = 40
+
+
+def draw_tips(axes: Axes, two: Pair, row: int) -> None:
+    """The axes of both at a row, and where they have been shortly before."""
+    parts: list[pen.Part] = [pen.Sphere()]
+    for tip, color in zip(two.tips, (look.SECOND, look.INK), strict=True):
+        trail = tip[max(0, row - TRAIL) : row + 1]
+        parts += [pen.on_sphere(trail, color, lw=1.0), pen.Arrow(tip[row], "", color, 1.4)]
+    pen.draw(axes, parts, VIEW)
+    pen.paper(axes, (-1.15, 1.15), (-1.15, 1.15))
+
+
+def parted(two: Pair) -> int:
+    """The row at which their axes are first half a radian apart, or the last one."""
+    far = np.flatnonzero(np.linalg.norm(two.tips[1] - two.tips[0], axis=-1) > 0.5)
+    return int(far[0]) if len(far) else len(two.t) - 1
+
+
+def _apart(lambda1: float, chi: float) -> Canvas:
+    drawn = look.canvas(look.TEXT, 2.6)
+    ball, chart = drawn.subplots(1, 2, gridspec_kw={"width_ratios": (1, 1.6)})
+    two = pair(other(lambda1), chi)
+    draw_tips(ball, two, parted(two))
+    draw_distances(chart, lambda1, chi)
+    return drawn
+
+
+def _film(lambda1: float, chi: float) -> Film:
+    """The axes of the pair without the integral, and the distances until now."""
+    drawn = Canvas(figsize=(look.TEXT, 2.6))
+    ball, chart = drawn.add_axes((0.0, 0.02, 0.4, 0.96)), drawn.add_axes((0.52, 0.18, 0.46, 0.68))
+    two = pair(other(lambda1), chi)
+
+    def show(share: float) -> None:
+        ball.clear()
+        chart.clear()
+        row = round(share * (len(two.t) - 1))
+        draw_tips(ball, two, row)
+        draw_distances(chart, lambda1, chi, row + 1)
+
+    show(0.0)
+    return Film(drawn, show)
+
+
+def _facts(lambda1: float, chi: float) -> dict[str, Any]:
+    without = pair(other(lambda1), chi)
+    slope, _ = exponent(without)
+    grown = pair(KOVALEVSKAYA, chi).distance
+    return {
+        "sigma": slope,
+        "digit": math.log(10) / slope,
+        "when": float(without.t[parted(without)]),
+        "grown": float(grown.max() / APART),
+    }
+
+
+NEIGHBOURS = Drawing(
+    "apart",
+    "Two neighbours part",
+    "5",
+    (MOMENT, CHI),
+    _apart,
+    r"Two tops start from $\chi = {chi}$ and $10^{-7}$ beside, with $\omega_3 = 0$ and the energy "
+    r"of the section. Left: their axes $\mathbf e_1$ at $\nu_3t = {when}$, with "
+    r"$\lambda_1 = {lambda1}\,\lambda_3$. Right: their distance, and that of two of Kovalevskaya's "
+    r"tops, which grows {grown}-fold. The line has $\sigma = {sigma}\,\nu_3$.",
+    "A sphere with two arrows, and the paths of their tips, which have parted. Beside it two "
+    "distances in a logarithmic chart: with {lambda1} times the third moment as the first, one "
+    "rises along a straight line of slope {sigma} until it is as large as can be; the other one, "
+    "from chi = {chi} as well, stays small.",
+    _facts,
+    _film,
+)
+
+FIGURES = (SECTION, NEIGHBOURS)
