@@ -10,6 +10,25 @@ from rigidtop.cli import main
 from rigidtop.collection.chapters import CHAPTERS, chapters
 
 SLIPS = {
+    "asymmetric": (
+        ("euler", r"= \omega_1\gamma_3 - \omega_3", r"= \omega_1\gamma_3 + \omega_3"),
+        (
+            "euler",
+            r"\mathbf N = MgR\gamma_3\mathbf e_2 - MgR",
+            r"\mathbf N = MgR\gamma_3\mathbf e_2 + MgR",
+        ),
+        ("stays", r"\dot\Lambda = 2\mathbf L", r"\dot\Lambda = \mathbf L"),
+        ("stays", r"\omega_1 = \text{const}", r"\omega_2 = \text{const}"),
+        ("kovalevskaya", r"-\frac{2(\kappa - 1)}", r"\frac{2(\kappa - 1)}"),
+        ("kovalevskaya", r"\dot\xi_2 = -\omega_3\xi_1 \tag", r"\dot\xi_2 = \omega_3\xi_1 \tag"),
+        ("kovalevskaya", r"\frac{4(\kappa - 2)}{\kappa^2}", r"\frac{2(\kappa - 2)}{\kappa^2}"),
+        ("swings", r"-\frac{MgR}{\lambda_3}\sin", r"-\frac{MgR}{\lambda_3}\cos"),
+        ("swings", r"E = MgR \tag", r"E = 2MgR \tag"),
+        ("swings", r"\ddot\gamma_1 = \dot", r"\ddot\gamma_1 = -\dot"),  # no claim needs it
+        ("swings", r"\approx -\nu_2^2", r"\approx -\nu_3^2"),
+        ("neighbours", r"e^{\sigma t} \tag", r"e^{-\sigma t} \tag"),
+        ("neighbours", r"\ln10 \tag", r"\ln2 \tag"),
+    ),
     "coupled": (
         ("pendulums", r"V \approx -2mgl + \tfrac12mgl", r"V \approx -2mgl - \tfrac12mgl"),
         (

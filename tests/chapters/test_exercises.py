@@ -17,6 +17,16 @@ EXERCISES = {
 every_exercise = pytest.mark.parametrize(("chapter", "name"), EXERCISES)
 
 NUMBERS = {
+    # A square of edge a has λ₂ = Ma²/3 and λ₃ = 5Ma²/12 about the middle of an edge, and R = a/2.
+    ("asymmetric", "hanging"): {
+        "within": 2 * math.pi * math.sqrt(5 * 0.3 / 6 / 9.81),
+        "across": 2 * math.pi * math.sqrt(2 * 0.3 / 3 / 9.81),
+        "fastest": 2 * math.sqrt(6 * 9.81 / 5 / 0.3),
+    },
+    ("asymmetric", "lost"): {
+        "kept": abs((5 + 2j) ** 2 - 40 * (-math.cos(1) + 1j * math.sin(1))) ** 2,
+        "rate": -4 * 0.2 / 1.8**2 * 320 * (21 * math.sin(1) + 20 * math.cos(1)),
+    },
     ("kepler", "comet"): {"period": 75.3 * 365.25 * 86400, "nearest": 0.5885 * 1.495979e11},
     ("kepler", "seasons"): {"longer": 7.77 * 86400},
     ("coupled", "exchange"): {"time": 8.674, "swings": 4.574},
@@ -41,6 +51,8 @@ NUMBERS = {
 """From tables, or by hand."""
 
 OTHERS = {
+    ("asymmetric", "hanging"): {"R": 0.3, "lambda2": 0.06, "lambda3": 0.05},
+    ("asymmetric", "lost"): {"kappa": 2.2, "chi": -2.5, "omega3": -5.0},
     ("kepler", "comet"): {"epsilon": 0.2, "a": 1.5e11},
     ("kepler", "seasons"): {"epsilon": 0.6},
     ("coupled", "exchange"): {"D": 3.0, "length": 0.4},

@@ -208,3 +208,40 @@ def test_the_angle_that_is_left_over_needs_its_solid_angle():
     narrow = bodies.Path.started(bodies.body(1.0, 2.0, 3.0), 3e-3, 1.0)
     ellipse = math.pi * 1e-3 * (2 / 3 * narrow.a2)
     assert narrow.solid_angle == pytest.approx(ellipse, rel=1e-4)
+
+
+def test_points_of_the_section_keep_what_stays_and_kovalevskayas_integral_where_there_is_one():
+    figures, top = beside("asymmetric", "figures"), beside("asymmetric", "top")
+    for moments, kept in ((figures.KOVALEVSKAYA, True), ((1.7, 2.0, 1.0), False)):
+        chi, omega = figures.starts(moments, 0.5)
+        one = figures.CURVES // 2 - 1
+        motion = top.let_go(moments, 1.0, chi[one], tuple(x[one] for x in omega))
+        run = motion.integrate(np.linspace(0.0, 40.0, 9))
+        np.testing.assert_allclose(run.energy, 0.5, atol=1e-8)
+        np.testing.assert_allclose(run.momenta[:, 0], 0.0, atol=1e-9)
+        integral = run.value(top.kovalevskaya(2.0, 1.0))
+        assert bool(np.ptp(integral) < 1e-9 * integral[0]) is kept
+        # By the search for zeros of a motion, both ways.
+        section = motion.section(top.GAMMA[2], 40.0)
+        found = figures.points(moments, 0.5)[one]
+        later = section.t > 0.1
+        wanted = np.remainder(section.q[later, 2] + math.pi, 2 * math.pi) - math.pi
+        count = len(wanted)
+        assert count >= 7
+        np.testing.assert_allclose(found[0][:count], wanted, atol=1e-5)
+        np.testing.assert_allclose(found[1][:count], section.qdot[later, 2], atol=1e-4)
+
+
+def test_neighbours_part_with_the_exponent_that_the_page_says():
+    pytest.importorskip("heyoka", reason="it takes minutes without Taylor series")
+    figures, top = beside("asymmetric", "figures"), beside("asymmetric", "top")
+    for moments, value in (((1.7, 2.0, 1.0), 0.127), (figures.KOVALEVSKAYA, 0.002)):
+        omega = (*top.across(moments, 0.5, 0.7, 0.0), 0.0)
+        motion = top.let_go(moments, 1.0, 0.7, omega)
+        far = motion.lyapunov(3000.0, rtol=1e-10, atol=1e-12)
+        assert far.value == pytest.approx(value, abs=5e-4)
+        assert (far.value > 5 * far.error) is (value > 0.1)
+    fitted, _ = figures.exponent(figures.pair((1.7, 2.0, 1.0), 0.7))
+    assert fitted == pytest.approx(0.127, abs=0.015)
+    grown = figures.pair(figures.KOVALEVSKAYA, 0.7).distance
+    assert grown.max() < 200 * figures.APART

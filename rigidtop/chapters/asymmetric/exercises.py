@@ -15,10 +15,16 @@ from rigidtop.proof.page import Claim, Measure
     "A plate on a nail",
     section="4",
     asks="small swings and over the top",
-    statement="A square plate hangs at rest, and a ball joint holds it at the middle of an edge. How long does a small swing take in its "
-    "plane, about $\\mathbf e_3$, and how long one across it, about $\\mathbf e_2$? How fast has "
-    "it to turn in its plane, at the lowest place, to come just upright?",
-    claims=(Claim("4.2", "The pendulum."), Claim("4.3", "In the plane."), Claim("4.4", "Across.")),
+    statement="A square plate hangs at rest, and a ball joint holds it at the middle of an edge. "
+    r"How long does a small swing take in its plane, about $\mathbf e_3$, and how long one across "
+    r"it, about $\mathbf e_2$? How fast has it to turn in its plane, at the lowest place, to come "
+    "just upright?",
+    claims=(
+        Claim("4.2", "The pendulum."),
+        Claim("4.3", "Upright."),
+        Claim("4.4", "In the plane."),
+        Claim("4.5", "Across."),
+    ),
     parameters=(
         Parameter("M", 0.5, "mass, $M$", "kg", above=0),
         Parameter("R", 0.15, "distance of the centre of mass, $R$", "m", above=0),
@@ -28,8 +34,8 @@ from rigidtop.proof.page import Claim, Measure
     ),
 )
 def hanging(M: float, R: float, lambda2: float, lambda3: float, g: float) -> Iterator[Outcome]:
-    r"""(4.3) and (4.4) have the frequencies; $\tfrac12\lambda_3\omega_3^2 - MgR = MgR$ by (4.2),
-    so that $\omega_3 = 2\nu_3$. The plate is integrated besides."""
+    r"""(4.4) and (4.5) have the frequencies; $\tfrac12\lambda_3\omega_3^2 - MgR = MgR$ by (4.2)
+    and (4.3), so that $\omega_3 = 2\nu_3$. The plate is integrated besides."""
     from .top import let_go
 
     pull, tiny = M * g * R, 1e-3

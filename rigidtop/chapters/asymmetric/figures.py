@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
+from scipy.interpolate import CubicHermiteSpline
 
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
@@ -16,11 +17,13 @@ from rigidtop.figures.space import View
 from rigidtop.figures.style import Canvas, Floats
 from rigidtop.parameters import Parameter
 
-from .top import angle_rates, parameters, system
+from .top import Moments, across, angle_rates, parameters, system
 
-MOMENT = Parameter("lambda1", 1.5, r"$\lambda_1$ by $\lambda_3$", least=1.0, most=3.0)
+MOMENT = Parameter("lambda1", 1.7, r"$\lambda_1$ by $\lambda_3$", least=1.0, most=3.0)
 
-Moments = tuple[float, float, float]
+LEVEL = math.pi / 2
+"""θ where e₃ is level."""
+
 KOVALEVSKAYA: Moments = (2.0, 2.0, 1.0)
 
 
@@ -32,82 +35,51 @@ def other(lambda1: float) -> Moments:
 # --- The section ---------------------------------------------------------------------------------
 
 ENERGY = Parameter("energy", 0.5, "$E$ by $MgR$", least=-0.9, most=3.0)
-ROWS, STEP = 12001, 0.05
-CURVES = 8
+ROWS, STEP = 20001, 0.05
+CURVES = 6
 """Motions that start on each of the two lines through the middle."""
 
 
-class Starts(NamedTuple):
-    """States with e₃ level and no angular momentum about the vertical, an entry each."""
-
-    chi: Floats
-    rate: Floats
-    omega: tuple[Floats, Floats]
-
-
-def starts(moments: Moments, energy: float) -> Starts:
-    """From places on the lines ω₃ = 0 and χ = 0 of the section, with MgR = 1."""
-    shares = (np.arange(CURVES) + 0.5) / CURVES
-    widest = math.acos(max(-energy, -1.0))
-    chi = np.concatenate([widest * (2 * shares - 1), np.zeros(CURVES)])
-    most = math.sqrt(2 * (energy + 1) / moments[2])
-    rate = np.concatenate([np.zeros(CURVES), most * (2 * shares - 1)])
-    left = 2 * (energy + np.cos(chi)) - moments[2] * rate**2
-    # Along the level axis e₁ × (λ₁γ₁, λ₂γ₂, 0): then L_z = 0.
-    along = np.array([moments[1] * np.sin(chi), moments[0] * np.cos(chi)])
-    size = np.sqrt(left / (moments[0] * along[0] ** 2 + moments[1] * along[1] ** 2))
-    return Starts(chi, rate, (size * along[0], size * along[1]))
+def starts(moments: Moments, energy: float) -> tuple[Floats, tuple[Floats, Floats, Floats]]:
+    """χ and (ω₁, ω₂, ω₃) at places on the lines ω₃ = 0 and χ = 0, with MgR = 1 and L_z = 0."""
+    shares = (2 * np.arange(CURVES) + 1) / CURVES - 1
+    chi = np.append(math.acos(max(-energy, -1.0)) * shares, 0 * shares)
+    rate = np.append(0 * shares, math.sqrt(2 * (energy + 1) / moments[2]) * shares)
+    return chi, (*across(moments, energy, chi, rate), rate)
 
 
 @lru_cache(maxsize=16)
 def points(moments: Moments, energy: float) -> tuple[tuple[Floats, Floats], ...]:
-    """χ and ω₃ of the points of each motion."""
-    chi, rate, omega = starts(moments, energy)
-    triples = zip(chi, zip(*omega, rate, strict=True), strict=True)
-    rates = np.transpose([angle_rates(math.pi / 2, *each) for each in triples])
-    begin = [0.0, math.pi / 2, chi]
-    motions = system().motions(parameters(moments, 1.0), begin, list(rates))
-    q, qdot = motions.integrate(STEP * np.arange(ROWS), rtol=1e-9, atol=1e-11)
-    return tuple(level(q[k], qdot[k]) for k in range(len(chi)))
+    """χ and ω₃ of the points of each motion, after its start."""
+    chi, omega = starts(moments, energy)
+    rates = angle_rates(LEVEL, chi, omega)
+    motions = system().motions(parameters(moments, 1.0), [0.0, LEVEL, chi], rates)
+    t = np.linspace(0.0, STEP * (ROWS - 1), ROWS)
+    q, qdot = motions.integrate(t, rtol=1e-9, atol=1e-11)
+    return tuple(level(t, q[k], qdot[k]) for k in range(len(chi)))
 
 
-def level(q: Floats, qdot: Floats) -> tuple[Floats, Floats]:
+def level(t: Floats, q: Floats, qdot: Floats) -> tuple[Floats, Floats]:
     """χ and ω₃ where e₃ is level, whichever way it passes: the two are mirrored."""
-    height = q[:, 1] - math.pi / 2
-    rows = np.flatnonzero(height[:-1] * height[1:] < 0)
-    first, second = (height[rows + k] for k in (0, 1))
-    speeds = tuple(STEP * qdot[rows + k, 1] for k in (0, 1))
-    share = first / (first - second)
-    for _ in range(4):
-        share -= cubic(first, second, *speeds, share) / (STEP * _speed(qdot, rows, share))
-    chi = cubic(
-        q[rows, 2], q[rows + 1, 2], STEP * qdot[rows, 2], STEP * qdot[rows + 1, 2], share
-    )
-    turned = (chi + math.pi) % (2 * math.pi) - math.pi
-    return turned, (1 - share) * qdot[rows, 2] + share * qdot[rows + 1, 2]
-
-
-def _speed(qdot: Floats, rows: Any, share: Floats) -> Floats:
-    return (1 - share) * qdot[rows, 1] + share * qdot[rows + 1, 1]
-
-
-def cubic(a: Floats, b: Floats, slope: Floats, after: Floats, x: Floats) -> Floats:
-    """At x, of the cubic with these values and slopes at 0 and 1."""
-    rest = b - a
-    return a + x * (slope + x * (3 * rest - 2 * slope - after + x * (slope + after - 2 * rest)))
+    theta, psi = (CubicHermiteSpline(t, q[:, k], qdot[:, k]) for k in (1, 2))
+    height = q[1:, 1] - LEVEL
+    at = t[1:-1][height[:-1] * height[1:] < 0] + STEP / 2
+    for _ in range(6):
+        at -= (theta(at) - LEVEL) / theta(at, 1)
+    return (psi(at) + math.pi) % (2 * math.pi) - math.pi, psi(at, 1)
 
 
 def draw_section(axes: Axes, moments: Moments, energy: float) -> None:
     """The points of all motions, those of one of them in another colour, and the edge."""
     found = points(moments, energy)
-    one = CURVES // 2 - 2
+    one = CURVES // 2 - 1
     most = math.sqrt(2 * (energy + 1) / moments[2])
     chi = np.linspace(-1, 1, 361) * math.acos(max(-energy, -1.0))
     edge = np.sqrt(np.maximum(2 * (energy + np.cos(chi)) / moments[2], 0.0))
     parts: list[pen.Part] = [pen.guide((chi, sign * edge)) for sign in (1.0, -1.0)]
     for k, each in enumerate(found):
-        color = look.SECOND if k == one else look.FIRST
-        parts.append(pen.Mark(each, color, 0.8, z=3 if k == one else 2, width=0.0))
+        color, size, z = (look.SECOND, 1.6, 3) if k == one else (look.FIRST, 0.9, 2)
+        parts.append(pen.Mark(each, color, size, z=z, width=0.0))
     pen.draw(axes, parts)
     axes.set(xlabel=r"$\chi$  (rad)", ylim=(-1.08 * most, 1.08 * most))
 
@@ -127,7 +99,7 @@ SECTION = Drawing(
     "4",
     (MOMENT, ENERGY),
     _section,
-    r"The points of sixteen motions with $E/MgR = {energy}$ and $L_z = 0$, those of one of them in "
+    r"The points of twelve motions with $E/MgR = {energy}$ and $L_z = 0$, those of one of them in "
     r"another colour; thin: the edge. Left $\lambda_1 = \lambda_2 = 2\lambda_3$; right "
     r"$\lambda_1 = {lambda1}\,\lambda_3$, and the other two as before.",
     "Two charts of the rate omega 3 over the angle chi, at the energy {energy}. On the left the "
@@ -137,8 +109,8 @@ SECTION = Drawing(
 
 # --- The neighbours ------------------------------------------------------------------------------
 
-CHI = Parameter("chi", -0.9, r"$\chi$ at the start", "rad", least=-1.8, most=1.8)
-APART, SHOWN = 1e-7, 120.0
+CHI = Parameter("chi", 0.7, r"$\chi$ at the start", "rad", least=-1.8, most=1.8)
+APART, SHOWN = 1e-7, 150.0
 NEAR = 0.03
 """Up to here a distance grows in proportion."""
 
@@ -159,12 +131,9 @@ class Pair(NamedTuple):
 @lru_cache(maxsize=16)
 def pair(moments: Moments, chi: float) -> Pair:
     """Two that start with E = MgR/2 and ω₃ = 0, as nearly at χ."""
-    size = math.sqrt(2 * (0.5 + math.cos(chi)))
-    along = moments[1] * math.sin(chi), moments[0] * math.cos(chi)
-    size /= math.sqrt(moments[0] * along[0] ** 2 + moments[1] * along[1] ** 2)
-    rates = angle_rates(math.pi / 2, chi, (size * along[0], size * along[1], 0.0))
-    begin = [0.0, math.pi / 2, np.array([chi, chi + APART])]
-    t = np.linspace(0.0, SHOWN, 1201)
+    rates = angle_rates(LEVEL, chi, (*across(moments, ENERGY.default, chi, 0.0), 0.0))
+    begin = [0.0, LEVEL, np.array([chi, chi + APART])]
+    t = np.linspace(0.0, SHOWN, 1501)
     motions = system().motions(parameters(moments, 1.0), begin, rates)
     q, qdot = motions.integrate(t, rtol=1e-12, atol=1e-14)
     states = np.concatenate([vertical(q), body_rates(q, qdot)], axis=-1)
@@ -189,16 +158,14 @@ def body_rates(q: Floats, qdot: Floats) -> Floats:
 
 def tips(q: Floats) -> Floats:
     """e₁ in space (…, 3)."""
-    (s, c), (over, flat), (turn, straight) = (
-        (np.sin(x), np.cos(x)) for x in np.moveaxis(q, -1, 0)
-    )
+    (s, c), (over, flat), (turn, straight) = ((np.sin(x), np.cos(x)) for x in np.moveaxis(q, -1, 0))
     return np.stack(
         [c * flat * straight - s * turn, s * flat * straight + c * turn, -over * straight], axis=-1
     )
 
 
 def exponent(two: Pair) -> tuple[float, float]:
-    """σ of the straight line that fits best, and the logarithm of the distance with which it starts.
+    """σ of the straight line that fits best, and the logarithm of δ with which it starts.
 
     It is fitted up to where the distance is no longer small for the first time.
     """
@@ -239,8 +206,8 @@ def draw_tips(axes: Axes, two: Pair, row: int) -> None:
 
 
 def parted(two: Pair) -> int:
-    """The row at which their axes are first half a radian apart, or the last one."""
-    far = np.flatnonzero(np.linalg.norm(two.tips[1] - two.tips[0], axis=-1) > 0.5)
+    """The row at which their axes are first a radius apart, or the last one."""
+    far = np.flatnonzero(np.linalg.norm(two.tips[1] - two.tips[0], axis=-1) > 1.0)
     return int(far[0]) if len(far) else len(two.t) - 1
 
 

@@ -4,11 +4,18 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from typing import Any, TypeAlias
 
+import numpy as np
 from sympy import Expr, cos, sin, symbols
 
 from rigidtop.system.motion import SystemMotion
 from rigidtop.system.system import System
+
+Moments: TypeAlias = tuple[float, float, float]
+Number: TypeAlias = Any
+"""A float, or an array of them."""
+Triple: TypeAlias = tuple[Number, Number, Number]
 
 PHI, THETA, PSI = symbols("phi theta psi", real=True)
 RATES = symbols("phidot thetadot psidot", real=True)
@@ -33,25 +40,31 @@ def system() -> System:
     return System.of_energies(kinetic, pull * GAMMA[0], [PHI, THETA, PSI], [*RATES])
 
 
-def parameters(moments: tuple[float, float, float], pull: float) -> dict[str, float]:
+def parameters(moments: Moments, pull: float) -> dict[str, float]:
     """The numbers of a top, by their names."""
     return dict(zip(("lambda1", "lambda2", "lambda3"), moments, strict=True)) | {"pull": pull}
 
 
-def angle_rates(
-    theta: float, psi: float, omega: tuple[float, float, float]
-) -> tuple[float, float, float]:
+def angle_rates(theta: Number, psi: Number, omega: Triple) -> tuple[Number, Number, Number]:
     """The rates of Euler's angles (rad/s) for ω₁, ω₂ and ω₃, which needs sin θ ≠ 0."""
-    round_ = (omega[1] * math.sin(psi) - omega[0] * math.cos(psi)) / math.sin(theta)
-    over = omega[0] * math.sin(psi) + omega[1] * math.cos(psi)
-    return round_, over, omega[2] - round_ * math.cos(theta)
+    round_ = (omega[1] * np.sin(psi) - omega[0] * np.cos(psi)) / np.sin(theta)
+    over = omega[0] * np.sin(psi) + omega[1] * np.cos(psi)
+    return round_, over, omega[2] - round_ * np.cos(theta)
+
+
+def across(moments: Moments, energy: float, chi: Number, rate: Number) -> tuple[Number, Number]:
+    """ω₁ and ω₂ of a top with e₃ level, ω₃ = `rate`, L_z = 0 and an energy, where MgR = 1."""
+    along = moments[1] * np.sin(chi), moments[0] * np.cos(chi)
+    left = 2 * (energy + np.cos(chi)) - moments[2] * rate**2
+    size = np.sqrt(left / (moments[0] * along[0] ** 2 + moments[1] * along[1] ** 2))
+    return size * along[0], size * along[1]
 
 
 def let_go(
-    moments: tuple[float, float, float],
+    moments: Moments,
     pull: float,
     chi: float,
-    omega: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    omega: Triple = (0.0, 0.0, 0.0),
     tilt: float = 0.0,
 ) -> SystemMotion:
     """From e₁ at the angle χ from straight below, and e₃ at a tilt from level, both in rad."""
