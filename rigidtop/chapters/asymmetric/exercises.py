@@ -42,14 +42,15 @@ def hanging(M: float, R: float, lambda2: float, lambda3: float, g: float) -> Ite
     flat = lambda3 - lambda2 if lambda3 > lambda2 else lambda2
     moments = flat, lambda2, lambda3
     across, within = math.sqrt(pull / lambda2), math.sqrt(pull / lambda3)
+    fastest = 2 * within
     yield Answer("within", "period in the plane", 2 * math.pi / within, "s")
     yield Answer("across", "period across the plane", 2 * math.pi / across, "s")
-    yield Answer("fastest", "rate at the lowest place", 2 * within, "rad/s")
+    yield Answer("fastest", "rate at the lowest place", fastest, "rad/s")
     run = let_go(moments, pull, tiny).integrate([math.pi / within])
     yield Measure("on the other side in the plane (rad)", abs(run.q[0, 2] + tiny), 1e-8)
     run = let_go(moments, pull, 0.0, tilt=tiny).integrate([math.pi / across])
     yield Measure("on the other side across (rad)", abs(run.q[0, 1] - math.pi / 2 + tiny), 1e-8)
-    run = let_go(moments, pull, 0.0, (0.0, 0.0, 2 * within)).integrate([3 / within])
+    run = let_go(moments, pull, 0.0, (0.0, 0.0, fastest)).integrate([3 / within])
     wrong = abs(run.q[0, 2] - 2 * math.asin(math.tanh(3)))
     yield Measure("a pendulum that only just comes upright (rad)", wrong, 1e-6)
 
