@@ -35,8 +35,8 @@ def other(lambda1: float) -> Moments:
 # --- The section ---------------------------------------------------------------------------------
 
 ENERGY = Parameter("energy", 0.5, "$E$ by $MgR$", least=-0.9, most=3.0)
-ROWS, STEP = 20001, 0.05
-CURVES = 6
+ROWS, STEP = 8001, 0.05
+CURVES = 8
 """Motions that start on each of the two lines through the middle."""
 
 
@@ -99,7 +99,7 @@ SECTION = Drawing(
     "4",
     (MOMENT, ENERGY),
     _section,
-    r"The points of twelve motions with $E/MgR = {energy}$ and $L_z = 0$, those of one of them in "
+    r"The points of sixteen motions with $E/MgR = {energy}$ and $L_z = 0$, those of one of them in "
     r"another colour; thin: the edge. Left $\lambda_1 = \lambda_2 = 2\lambda_3$; right "
     r"$\lambda_1 = {lambda1}\,\lambda_3$, and the other two as before.",
     "Two charts of the rate omega 3 over the angle chi, at the energy {energy}. On the left the "
