@@ -54,7 +54,9 @@ def judged(question: Question) -> Judgement:
     context = question.context
     if all(are_numbers(*pair) for pair in question.meant):
         sides = question.left, question.right
-        return compared(*sides, question.meant, question.rests_on_meaning, nearly=True), context
+        numbers = compared(*sides, question.meant, question.rests_on_meaning, nearly=True)
+        again = None if numbers.passed else definitions.number_again(question)
+        return again or (numbers, context)
     if question.holds():
         return question.follows()
     if Cue.NEARLY_EQUAL in question.at.cues and Cue.SMALL not in question.at.cues:

@@ -18,6 +18,12 @@ from rigidtop.judge.vocabulary import Meant, Vocabulary
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 
+GAMMA = Letter("Γ")
+"""Of a number it is the gamma function."""
+
+DIGITS = 40
+"""So many digits a value of a function has that has no other form."""
+
 NODES = 32
 """Places at which the integrand of an integral is taken."""
 
@@ -59,9 +65,14 @@ class Calculus(Vocabulary):
             function, ()
         )
         timed = function in self.moving or self._is_timed(function, places)
+        if timed and len(places) == 1 and places[0] in self.moving and not order:
+            return self.letter(function)  # y(x), where both move: the path
         if len(places) == 1 and timed and places[0] != function:
             # x(0), where x is a function of the time
             return self.at_time(self.differentiated(self.letter(function), order), places[0])
+        if function == GAMMA and definition is None and not any(map(n.letters, places)):
+            factorial = sympy.gamma(self.scalar(places[0]))
+            return factorial.evalf(DIGITS) if factorial.has(sympy.gamma) else factorial
         if definition is None:
             return self._slope(self.unknown(function, places), places, order)
         meaning = self._held_for(function) if order else self

@@ -41,7 +41,7 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     index = next((x for x in habits.indices if letter.sub == x), "")
     if letter in context.definitions and not _only_names(question, letter):
         return None
-    if letter in context.given or letter in own_letters(other):
+    if letter in context.given or letter in own_letters(other) or _acts(letter, other):
         return None
     meaning = question.meaning(bound={index: 0} if index else {})
     value = meaning.value(other)
@@ -79,6 +79,11 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     why = f"what {in_words(name)} stands for"
     brings = frozenset({in_words(letter)})
     return Outcome(DEFINITION, why, frozenset(meaning.used), brings=brings), known
+
+
+def _acts(letter: Letter, other: Node) -> bool:
+    """Whether a letter is a function whose value is taken: f in 2 f(x)."""
+    return any(isinstance(x, n.Call) and x.function == letter for x in n.walked(other))
 
 
 def form(question: Question) -> Judgement | None:
@@ -129,11 +134,22 @@ def _stays(question: Question, letter: Letter, value: Value) -> bool:
 def _is_case(question: Question, letter: Letter, node: Node) -> bool:
     """Whether a letter is given a number that is supposed, or is one of two that are equal."""
     alike = isinstance(node, Letter) and node.base == letter.base
+    alike = alike and not _is_measure(question, letter, node)
     at, passed = question.at, letter.base in COORDINATES and not letter.sub
     if passed and at.inline and not at.derived and letter in question.context.letters:
         return True  # half way, x = A/2
     again = at.supposed and at.inline and not at.defined and letter in question.context.letters
     return alike or again or (at.supposed and not n.letters(node))
+
+
+def _is_measure(question: Question, letter: Letter, node: Node) -> bool:
+    """Whether others of its kind are given by the same letter: with m₁ = 4 m and m₃ = m."""
+    known = question.context.definitions.items()
+    return any(
+        x != letter and x.base == letter.base and x != node and node in n.letters(each.node)
+        for x, each in known
+        if each.node != node
+    )
 
 
 def _only_names(question: Question, letter: Letter) -> bool:

@@ -71,7 +71,9 @@ def word(grammar: Grammar, before: Sequence[Node]) -> Node:
     if text in ("d", "∂") and (node := derivatives.differentiated(grammar, text)):
         return node
     grammar.take()
-    unit = units(text) if grammar.peek().kind != "open" else None  # K(m) is no kelvin
+    is_unit = grammar.peek().kind != "open"  # K(m) is no kelvin
+    is_unit &= text not in FUNCTIONS or not _acts(grammar)
+    unit = units(text) if is_unit else None
     if unit and before and (len(text) > 1 or not letters_of(before[-1])):
         return unit
     if text.strip(". ").lower() in CONSTANT:
@@ -85,6 +87,13 @@ def word(grammar: Grammar, before: Sequence[Node]) -> Node:
     if token.kind == "upright" and token.group and not text.isalpha():
         return grammar.node_of(token.group)
     return Letter(text)
+
+
+def _acts(grammar: Grammar) -> bool:
+    """Whether something stands behind a name that a function can act on: sec² α, but 5 sec²."""
+    at = grammar.at + (2 if grammar.is_sign("^") else 0)
+    behind = grammar.items[at] if at < len(grammar.items) else None
+    return behind is not None and behind.kind in ("open", "letter", "number", "group")
 
 
 _PRIMARIES: Final[dict[str, Callable[[Grammar], Node]]] = {

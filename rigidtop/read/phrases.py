@@ -321,6 +321,7 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"|kommt zur Ruhe|bleibt (?:stehen|liegen)|Bremsweg|s'arrête)\b",
     ),
     Cue.ELSEWHERE: (
+        r"(?:^|§[ ,]*)(?:if|when|for|falls|wenn|für|si|pour) [^.;:§]*,? (?:or|oder|ou)[ ,:]*\Z",
         r"\b(?:(?:its|the|their) mean|mean (?:speed|value|velocity|of)|average|half[ -]?way"
         r"|half lives?|the middle between|clamped|motor|driven|excited|disturbed|instead(?! of)"
         r"|twice as|doubled?|\w+ times (?:as|the)|halved?|half of"

@@ -117,9 +117,19 @@ def _is_called(grammar: Grammar, node: Node) -> bool:
         return False
     if core in grammar.reading.functions:
         return True
+    if core == Letter("Γ") and inside and not any(x.kind == "letter" for x in inside):
+        return _is_number(grammar, inside)
     if any(each.kind == "open" for each in inside) or len(inside) > 24:
         return False
     return _holds_places(grammar, inside)
+
+
+def _is_number(grammar: Grammar, inside: Sequence[Token]) -> bool:
+    """Whether no letter stands there: Γ(¼) is the gamma function, and no product."""
+    try:
+        return not letters(grammar.node_of(inside))
+    except UnreadError:
+        return False
 
 
 def _holds_places(grammar: Grammar, inside: Sequence[Token]) -> bool:

@@ -412,3 +412,48 @@ def test_a_slip_does_not_make_terms_cancel():
     assert opened.outcome.passed is None
     assert row.outcome.why == "it follows from a line above that is left open"
     assert row.outcome.rests_on == {opened.number}
+
+
+OTHERS = [
+    # the other one of two cases
+    (
+        r"$$u(x, t) = f(x - vt)$$" + "\nif going to the right, or:\n" + r"$$u(x, t) = f(x + vt)$$",
+        {1: None, 3: None},
+    ),
+    # m is no special case, but what the other masses are counted in
+    (
+        r"The masses are $m_1 = 4m$ and $m_3 = m$. Then"
+        "\n" + r"$$K = \frac12 m_1 v_1^2 + \frac12 m_3 v_3^2$$" + "\n\n## Energy\n\n"
+        r"$$K = m(2 v_1^2 + \frac12 v_3^2)$$",
+        {2: None, 6: True},
+    ),
+    # the gamma function
+    (
+        r"$$\frac{\Gamma(\frac14)}{\Gamma(\frac34)} \approx 2.95867512$$" + "\n"
+        r"$$\frac{\Gamma(\frac14)}{\Gamma(\frac34)} \approx 2.45867512$$" + "\n"
+        r"$$\Gamma(1/2) = \sqrt\pi$$",
+        {1: True, 2: False, 3: True},
+    ),
+    # y as a function of x, where both move
+    (
+        r"$$x(t) = ut, \quad y(t) = wt - gt^2/2$$" + "\n"
+        r"$$t = \frac{x(t)}{u}$$" + "\n"
+        r"$$y(x) = \frac{w}{u} x - \frac{g}{2u^2} x^2$$" + "\n"
+        r"$$y(x) = \frac{w}{u} x - \frac{g}{2u^2} x$$",
+        {3: True, 4: False},
+    ),
+    # numbers of one body after the other
+    (
+        r"For Mercury $\epsilon \approx 0.206$."
+        + "\n"
+        + r"The Earth has $\epsilon \approx 0.017$.",
+        {1: None, 2: None},
+    ),
+    (r"With $c = 1/\cos^2\alpha$" + "\n" + r"$$c = 1\,\sec^2(\alpha)$$", {2: True}),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), OTHERS)
+def test_what_strangers_write_is_heard_as_they_mean_it(text, expected):
+    passed = {row.line: row.outcome.passed for row in judged(text)}
+    assert {line: passed[line] for line in expected} == expected
