@@ -35,11 +35,20 @@ def explained_first(text: Iterable[S]) -> Iterator[S]:
     known: set[Letter] = set()
     for _, sentence in groupby(text, key=lambda each: each.passage.sentence):
         ordered: list[S] = []
+        behind = 0
         for each in sentence:
-            ordered.insert(_place(each, ordered, known), each)
+            if not _continues(each):
+                behind = _place(each, ordered, known)
+            ordered.insert(behind, each)  # a chain stays together
+            behind += 1
         for each in ordered:
             known |= _letters(each)
         yield from ordered
+
+
+def _continues(each: Placed) -> bool:
+    """Whether it is the next link of the chain above."""
+    return isinstance(each.statement, Statement) and each.statement.continues
 
 
 def _place(each: Placed, sentence: Sequence[Placed], known: Collection[Letter]) -> int:

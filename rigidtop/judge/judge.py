@@ -78,6 +78,9 @@ class Judge:
         """What becomes of a statement, and what is known after it."""
         statement, context = approximations.limited(statement, situation, context)
         context = context.moved(moving_in(statement))
+        if _says_its_places(statement):
+            why = f"what {in_words(statement.sides[0])} depends on"
+            return Outcome(PREMISE, why), context.knowing(letters_in(statement))
         outcome, after = self._for_each(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
         names = outcome.verdict == DEFINITION and outcome.brings  # "is Q = … canonical?"
@@ -285,6 +288,10 @@ class Judge:
                 question = self._question(left, right, situation, context, inner)
                 outcome, context = _related(question, relation)
                 context = _accelerated(question, outcome, context)
+                if inner and outcome.verdict == PREMISE:
+                    context = _explicit(question, context)
+                if inner and outcome.verdict == FALSE:
+                    outcome = self._by_head(question, context) or outcome
                 if outcome.verdict == FALSE and len(statement.relations) > 1:
                     where = f"{in_words(left)} {relation} {in_words(right)}"
                     outcome = replace(outcome, why=f"{where}: {outcome.why}")
@@ -299,6 +306,20 @@ class Judge:
         wrong, context = self._braced(statement, situation, context)
         context = replace(context.knowing(letters_in(statement)), said=statement.sides)
         return joint([*outcomes, *wrong]), context
+
+    def _by_head(self, question: Question, context: Context) -> Outcome | None:
+        """That a link follows from the head of its chain, where the one before it is wrong.
+
+        None if it does not.
+        """
+        head, at = context.head, question.at
+        if not isinstance(head, Letter) or head not in context.definitions:
+            return None
+        told = self._question(head, question.left, at, context, True)
+        if _related(told, "=")[0].verdict != FALSE:
+            return None
+        outcome, _ = _related(self._question(head, question.right, at, context, True), "=")
+        return outcome if outcome.passed else None
 
     def _without_unclear(self, statement: Statement, context: Context) -> Statement | None:
         """A chain without the sides that have no meaning; None if too little is left of it."""
@@ -342,6 +363,15 @@ class Judge:
         return Question(left, right, at, premises, self.patience, inner)
 
 
+def _says_its_places(statement: Statement) -> bool:
+    """Whether a letter is said to depend on others, and no more: L = L(q, q̇, t)."""
+    left, *_, right = statement.sides
+    alone = len(statement.sides) == 2 and statement.relations[0] in EQUALS
+    return (
+        alone and isinstance(right, n.Call) and isinstance(left, Letter) and right.function == left
+    )
+
+
 def _may_be_elsewhere(statement: Statement, at: Situation, context: Context) -> bool:
     """Whether it says anew what stands above, in circumstances that only words tell."""
     told = Cue.CIRCUMSTANCE in at.cues and not at.closed
@@ -370,6 +400,22 @@ def _staying(context: Context, at: Situation) -> Context:
     for each in there:
         context = context.holding(replace(each, instant="", until=at.sentence))
     return context
+
+
+def _explicit(question: Question, context: Context) -> Context:
+    """What is known where the next link of a chain says in other letters what its head is.
+
+    T = ½ m Ṙ² = ½ m (ẋ² + ẏ²) is differentiated by ẋ, which R hides.
+    """
+    head, definitions = context.head, context.definitions
+    if not isinstance(head, Letter) or head not in definitions:
+        return context
+    known, right = definitions[head], question.right
+    hidden = own_letters(question.left) & question.moving - definitions.keys() - own_letters(right)
+    told = own_letters(right) & question.moving
+    if known.node != question.left or not hidden or not told or head in own_letters(right):
+        return context
+    return context.defining(head, replace(known, node=right, also=(*known.also, known.node)))
 
 
 def _with_open(statement: Statement, at: Situation, context: Context) -> Context:

@@ -415,6 +415,12 @@ def test_a_slip_does_not_make_terms_cancel():
 
 
 OTHERS = [
+    # what a letter depends on says nothing of its value
+    (
+        r"Consider $L = L(q_i, \dot q_i, t)$." + "\n"
+        r"$$\frac{\partial L}{\partial\dot q_i} - \frac{\partial L}{\partial q_i} = 0$$",
+        {1: None, 2: None},
+    ),
     # the other one of two cases
     (
         r"$$u(x, t) = f(x - vt)$$" + "\nif going to the right, or:\n" + r"$$u(x, t) = f(x + vt)$$",
@@ -457,3 +463,29 @@ OTHERS = [
 def test_what_strangers_write_is_heard_as_they_mean_it(text, expected):
     passed = {row.line: row.outcome.passed for row in judged(text)}
     assert {line: passed[line] for line in expected} == expected
+
+
+ROD = r"""
+$$x = b\sin\theta \quad y = b\cos\theta$$
+The position of the middle is $\vec R = \frac12(x + y)$, and
+$$L = K - V$$
+where I find
+\begin{gather*}
+K = \frac12 m\dot{\vec R}^2 = \frac12 m\frac14(\dot x^2 + \dot y^2) \\
+= \frac18 m(b^2\cos^2\theta\,\dot\theta^2 + b^2\sin^2\theta\,\dot\theta^2) \\
+= \frac18 mb^2\dot\theta^2 \\
+V = -\frac12 mgb\cos\theta
+\end{gather*}
+$$\frac{\partial L}{\partial\dot\theta} = \frac14 mb^2\dot\theta$$
+"""
+
+
+def test_a_chain_is_differentiated_in_the_letters_that_it_shows():
+    rows = judged(ROD)
+    assert [row.outcome.passed for row in rows if row.line > 7] == [True, True, None, True]
+
+
+def test_behind_a_wrong_link_a_right_one_follows_from_the_head_of_the_chain():
+    wrong = ROD.replace(r"\sin^2\theta\,\dot\theta^2", r"\sin^2\theta\,\dot\theta")
+    rows = judged(wrong)
+    assert [row.outcome.passed for row in rows if row.line > 7] == [False, True, None, True]
