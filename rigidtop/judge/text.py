@@ -303,7 +303,7 @@ _MASS = re.compile(
     re.I,
 )
 _WEIGHT = re.compile(
-    r"weight|gravity|\bhang|\bfall|spring|pendul|slope|inclin|roof|Schwer|Gewicht|\w*[Ff]eder|hängt"
+    r"weight|gravity|\bhang|\bfall|spring|pendul|slope|inclin|roof|Schwer|Gewicht|[Ff]eder|hängt"
     r"|fällt|Pendel|pesanteur|ressort",
     re.I,
 )

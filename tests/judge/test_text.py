@@ -1,6 +1,7 @@
 """Texts judged: what is right follows, what is wrong is told, what is new is taken as it stands."""
 
 import re
+import time
 from collections import Counter
 from pathlib import Path
 
@@ -489,3 +490,9 @@ def test_behind_a_wrong_link_a_right_one_follows_from_the_head_of_the_chain():
     wrong = ROD.replace(r"\sin^2\theta\,\dot\theta^2", r"\sin^2\theta\,\dot\theta")
     rows = judged(wrong)
     assert [row.outcome.passed for row in rows if row.line > 7] == [False, True, None, True]
+
+
+def test_a_word_without_end_takes_no_longer_than_its_length():
+    start = time.process_time()
+    assert judged("a" * 100_000) == ()
+    assert time.process_time() - start < 5
