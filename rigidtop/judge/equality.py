@@ -333,6 +333,8 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
         return wrong.outcome if wrong is not None else refuted(question), context
     if at.anew:
         return Outcome(UNDECIDED, "it is something else than above"), context
+    if question.patience.is_over:
+        return Outcome(UNDECIDED, DOES_NOT_FOLLOW), context
     # In a line of words it may be said of another case, if it is not a sign or a number.
     wrong = approximations.near_slip(question) if at.small and at.inline else None
     if wrong is not None:

@@ -85,7 +85,7 @@ def slip(
     something else is said; `relation` is how that is written in LaTeX.
     """
     patience = question.patience
-    if question.worlds.count < FEWEST or patience.seconds <= 0 or question.worlds.tied:
+    if patience.is_over or question.worlds.count < FEWEST or question.worlds.tied:
         return None
     if question.worlds.points.imag.any() and _has_size(question):
         return None  # how large a complex number is is not seen

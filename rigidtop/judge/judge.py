@@ -124,11 +124,12 @@ class Judge:
         self, statement: Statement, situation: Situation, context: Context
     ) -> Constraint | None:
         """What is said above and was left open, where it follows if that holds."""
+        judge = replace(self, patience=Patience(0))  # whether there is a slip is not asked
         return next(
             (
                 each
                 for each in context.open[-MOST_OPEN:]
-                if self._in_context(statement, situation, context.holding(each))[0].passed
+                if judge._in_context(statement, situation, context.holding(each))[0].passed
             ),
             None,
         )

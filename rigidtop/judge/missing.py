@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 from sympy import (
     Add,
@@ -57,12 +58,12 @@ def term(question: Question) -> Outcome | None:
     if gap is None or not _is_monomial(gap):
         gap = _left_out(question.equations, left - right)
     from_lagrangian = any(x in question.context.definitions for x in LAGRANGIANS)
-    derived = question.at.derived or _differentiates(question) or from_lagrangian
+    derived = question.at.derived or _differentiates(question)
     moves = any(left.has(x) or right.has(x) for x in tops) or _differentiates(question)
     moves |= derived and any(x.has(TIME) for x in question.equations)
     if (
         not moves
-        or count < (2 if derived else 3)
+        or count < (2 if derived or from_lagrangian else 3)
         or gap is None
         or not _is_monomial(gap)
         or not question.rests_on
@@ -121,6 +122,7 @@ LONGEST = 120
 """From an equation with more operations no term is left out."""
 
 
+@lru_cache(maxsize=2_000)
 def _without_time(equation: Expr) -> Expr | None:
     """An equation for amplitudes: without the factor cos ωt; None if the time stands elsewhere."""
     if not equation.has(TIME):

@@ -48,6 +48,10 @@ class Patience:
 
     seconds: float = ALL_SLIPS_SECONDS
 
+    @property
+    def is_over(self) -> bool:
+        return self.seconds <= 0
+
     @contextmanager
     def search(self, longest: float) -> Iterator[float]:
         """When a search has to end, which takes of these seconds what it needs."""

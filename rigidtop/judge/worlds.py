@@ -24,7 +24,9 @@ from rigidtop.tree.nodes import Letter
 WORLDS = 4
 """So many worlds are asked."""
 
-_STARTS, _STEPS, _PATIENCE = 12, 60, 32
+_STARTS, _STEPS, _PATIENCE, _MORE = 12, 60, 32, 8
+"""So many places are tried, with so many steps: fewer where none is exact by then, and few more
+behind the first exact one if there are enough."""
 _EXACT = 1e-12
 """An equation holds where its sides differ by no more than this share of its terms."""
 
@@ -327,12 +329,14 @@ def _solved(
     lost = np.zeros(points.shape[1], bool)
     largest = np.maximum(1, weights)[:, None]
     steps = Steps(equations)
+    first = _STEPS  # the step at which one was found
     for step in range(_STEPS):
         left = np.flatnonzero(~exact & ~lost)
-        late = step > 6 * enough + 1
+        first = min(first, step) if exact.any() else first
+        late = step > first + _MORE
         if not len(left) or exact.sum() >= (enough if late else 2 * enough):
             break
-        if step > _PATIENCE and not exact.any():
+        if step > (_PATIENCE if first == _STEPS else first + 3 * _MORE):
             break
         at = Program(letters, points[:, left], with_slopes=True).followed(steps)
         finite = np.isfinite(at.values).all(axis=0) & np.isfinite(at.slopes).all(axis=(0, 1))
