@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from rigidtop.motion.top import HeavyTop
     from rigidtop.motion.top_fit import TopFit
     from rigidtop.motion.trajectory import Trajectory
+    from rigidtop.system.friction import DryFriction
     from rigidtop.system.linkage import Joint, Link
     from rigidtop.system.mechanism import Mechanism
     from rigidtop.system.motion import SystemMotion
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Body",
+    "DryFriction",
     "FreeBody",
     "FreeFit",
     "FreeMotions",
@@ -73,6 +75,7 @@ _ROOMS = {
     "motion.top": ("HeavyTop",),
     "motion.top_fit": ("TopFit",),
     "motion.trajectory": ("Trajectory",),
+    "system.friction": ("DryFriction",),
     "system.linkage": ("Joint", "Link"),
     "system.mechanism": ("Mechanism",),
     "system.motion": ("SystemMotion",),

@@ -83,6 +83,9 @@ class Accuracy:
                 raise RigidtopError(f"{name} must be at most {LARGEST_TOLERANCE:g}, not {value:g}")
 
 
+STUCK, CALLS = 1e-7, 20_000
+"""Where so many calls move the time by less than this part of it, the steps have shrunk."""
+
 Path = Callable[[Floats], Floats]
 """Times (N,) in, states (n, N) out."""
 
@@ -117,6 +120,8 @@ class Problem:
     """The same by Taylor series, from the last time and `rtol`."""
     held: Held | None = None
     """Brings the motion back where the solver's errors have led it away from constraints."""
+    hint: str = ""
+    """What would be right, where the solver gets stuck."""
 
 
 def flow(problem: Problem, end: float, accuracy: Accuracy) -> Flow:
@@ -148,9 +153,19 @@ def joined(pieces: Sequence[Flow]) -> Flow:
 
 def _stages(problem: Problem, end: float, accuracy: Accuracy) -> Iterator[Flow]:
     """The motion from 0 to `end` in pieces; usually one."""
-    rates, sizes, held = problem.rates, problem.sizes, problem.held
+    rates, sizes, held, hint = problem.rates, problem.sizes, problem.held, problem.hint
 
-    def right_hand_side(_: float, state: Floats) -> tuple[float, ...]:
+    calls, before = 0, 0.0
+
+    def right_hand_side(time: float, state: Floats) -> tuple[float, ...]:
+        nonlocal calls, before
+        calls += 1
+        if calls % CALLS == 0:
+            if hint and abs(time - before) < STUCK * abs(end):
+                raise RigidtopError(
+                    f"the integration got stuck at t = {time:g} on the way to {end:g}{hint}"
+                )
+            before = time
         return rates(state.tolist())  # plain floats: several times faster than NumPy's
 
     if not np.all(np.isfinite(right_hand_side(0.0, problem.start))):
@@ -189,7 +204,7 @@ def _stages(problem: Problem, end: float, accuracy: Accuracy) -> Iterator[Flow]:
         path = solution.sol
         if path is None or solution.status < 0 or not np.all(np.isfinite(state)):
             reached = f"t = {time:g} on the way to {end:g}"
-            raise RigidtopError(f"the integration stopped at {reached}: {solution.message}")
+            raise RigidtopError(f"the integration stopped at {reached}: {solution.message}{hint}")
         if held is not None:  # brought back, it goes on as it went
             step = float(np.max(np.abs(np.diff(solution.t))))
             returns = returns + 1 if len(solution.t) == 2 else 0

@@ -6,9 +6,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import sympy
-from sympy import Expr, Integer, Matrix
+from sympy import Expr, Integer, Matrix, Rational
 
+from rigidtop.codegen.points import points
 from rigidtop.errors import RigidtopError
+from rigidtop.proof import decide
 from rigidtop.system.derived import Derived
 from rigidtop.system.forms import over, parts_of, readable, short
 from rigidtop.system.names import expression
@@ -116,3 +118,39 @@ class Canonical(Derived):
     def effective_potential(self) -> Expr:
         """Minus the Routhian where the velocities of the other coordinates vanish."""
         return self.names.back(-self._routhian.subs(dict.fromkeys(self.names.v, 0)))
+
+    def rate(self, quantity: Expr) -> Expr:
+        """d/dt of a quantity (of q, q̇, p and t) along the motion."""
+        names = self.names
+        plain = self.quantity(expression("the quantity", quantity))
+        motion = dict(zip(names.a, self.program.written_out(), strict=False))
+        rates = {x: rate.xreplace(motion) for x, rate in names.rates.items()}
+        return names.back(readable(names.rate(plain, rates)))
+
+    def is_conserved(self, quantity: Expr) -> bool:
+        """Whether a quantity is constant along every motion, shown symbolically.
+
+        Raises RigidtopError where it is neither shown nor refuted.
+
+        >>> from sympy import symbols
+        >>> from rigidtop import System
+        >>> m, k = symbols("m k", positive=True)
+        >>> x, y, u, v = symbols("x y u v", real=True)
+        >>> well = System(m*(u**2 + v**2)/2 - k*(x**2 + y**2)/2, [x, y], [u, v])
+        >>> well.is_conserved(x*v - y*u), well.is_conserved(x*v + y*u)
+        (True, False)
+        """
+        rate = self.names.plain(self.rate(quantity))
+        if decide.vanishes(rate):
+            return True
+        if self.constraints:
+            raise RigidtopError(
+                "that it changes where the constraints do not hold tells nothing: see drift()"
+            )
+        for point in points(sorted(rate.free_symbols, key=str)):
+            value = sympy.N(rate.xreplace(point), 50)
+            if value.is_comparable and abs(value) > Rational(1, 10**30):
+                return False
+        raise RigidtopError(
+            "its rate is zero, or not real, wherever it was tried: neither shown nor refuted"
+        )

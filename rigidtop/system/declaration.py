@@ -91,6 +91,15 @@ def check_rules(rules: Mapping[Expr, Expr], names: Names) -> None:
             raise RigidtopError(f"the constraint {given} = 0 is not linear in the velocities")
 
 
+def check_sliding(given: Expr, plain: Expr, names: Names) -> None:
+    """The velocity of a dry friction, with itself in plain symbols, is linear in velocities."""
+    moving = [v for v in names.v if plain.has(v)]
+    if not moving or not _is_linear(plain, moving):
+        raise RigidtopError(
+            f"a DryFriction is of a coordinate, or of a velocity linear in the q̇, not of {given}"
+        )
+
+
 def _is_linear(value: Expr, velocities: Sequence[Symbol]) -> bool:
     """Whether no second derivative by velocities is left."""
     along = [Direction({v: ONE}) for v in velocities]

@@ -9,12 +9,11 @@ from functools import cached_property
 from typing import Any, TypeVar
 
 import sympy
-from sympy import Expr, Integer, Matrix, Rational, Symbol
+from sympy import Expr, Integer, Matrix, Symbol
 
 from rigidtop.codegen.graph import somewhere
 from rigidtop.codegen.lines import StraightLine, straight_line
 from rigidtop.codegen.nodes import ZERO, Value
-from rigidtop.codegen.points import points
 from rigidtop.codegen.solve import SingularError, solved
 from rigidtop.errors import RigidtopError
 from rigidtop.proof import decide
@@ -24,11 +23,13 @@ from rigidtop.system.declaration import (
     check_letters,
     check_rules,
     check_signs,
+    check_sliding,
     check_terms,
     is_even,
     with_time,
 )
 from rigidtop.system.forms import LARGEST, expanded, grouped, over, readable, short
+from rigidtop.system.friction import DryFriction, apart
 from rigidtop.system.names import (
     Given,
     Names,
@@ -85,23 +86,33 @@ class Derived:
             constraints = (constraints,)
         rules = tuple(expression("a constraint", each) for each in constraints)
         coordinates = (q,) if isinstance(q, Expr) else q
+        forces, friction = apart(forces)
         pushing = acting(forces, coordinates)
         inside = [x for part in parts for x in part.expressions]
-        letters = set().union(*(x.free_symbols for x in (L, rayleigh, *rules, *pushing, *inside)))
+        rubbing = tuple(friction.expressions.values()) if friction else ()
+        whole = (L, rayleigh, *rules, *pushing, *rubbing, *inside)
+        letters = set().union(*(x.free_symbols for x in whole))
         names = named(coordinates, (qdot,) if isinstance(qdot, Expr) else qdot, letters)
-        pushed = rayleigh != 0 or any(Q != 0 for Q in pushing)
+        pushed = friction or rayleigh != 0 or any(Q != 0 for Q in pushing)
         check_signs(names.v, None if pushed else (L, *rules))
         names = with_time(names, letters, coordinates)
+        pushing = pushing or (Integer(0),) * len(names.q)
+        acting_forces = pushing
+        if friction and len(pushing) == len(names.q):
+            rubbing = friction.on_coordinates(names)
+            acting_forces = tuple(Q + names.back(F) for Q, F in zip(pushing, rubbing, strict=True))
         for name, value in (
             ("rest", L),
             ("q", tuple(names.back(x) for x in names.q)),
             ("qdot", tuple(names.back(x) for x in names.v)),
-            ("forces", pushing or (Integer(0),) * len(names.q)),
+            ("forces", acting_forces),
             ("constraints", rules),
             ("rayleigh", rayleigh),
             ("names", names),
             ("parts", tuple(parts)),
             ("potential", None),
+            ("friction", friction),
+            ("pushing", pushing),
         ):
             object.__setattr__(self, name, value)
         self._check()
@@ -112,15 +123,29 @@ class Derived:
     potential: Expr | None = field(init=False, repr=False, compare=False)
     """V, where it is known apart."""
 
+    friction: DryFriction | None = field(init=False, repr=False)
+    """The dry friction among the forces."""
+
+    pushing: tuple[Expr, ...] = field(init=False, repr=False, compare=False)
+    """The forces without it."""
+
     def _check(self) -> None:
         n = len(self.q)
         if len(self.forces) != n:
             raise RigidtopError(f"{len(self.forces)} forces for {n} coordinates: give one for each")
         inside = tuple(x for part in self.parts for x in part.expressions)
         given = {"L": (self.rest, *inside), "rayleigh": (self.rayleigh,), "a force": self.forces}
-        check_terms({**given, "a constraint": self.constraints}, self.q, self.names)
+        rubbing = {what: (x,) for what, x in self._rubbing.items()}
+        check_terms({**given, **rubbing, "a constraint": self.constraints}, self.q, self.names)
         check_letters(self._letters)
         check_rules(dict(zip(self.constraints, self.rules, strict=True)), self.names)
+        if self.friction:
+            check_sliding(self.friction.of, self.friction.velocity(self.names), self.names)
+
+    @property
+    def _rubbing(self) -> dict[str, Expr]:
+        """What the dry friction is given."""
+        return self.friction.expressions if self.friction else {}
 
     def __getstate__(self) -> dict[str, Any]:
         """Without what was computed: functions that are made cannot be pickled."""
@@ -297,7 +322,8 @@ class Derived:
         """What L is made of, the forces and the constraints, plain."""
         inside = (x for part in self.parts for x in part.expressions)
         made_of = map(self.names.plain, (self.rest, *inside))
-        return (*made_of, *self.generalised_forces, *self.rules)
+        rubbing = map(self.names.plain, self._rubbing.values())
+        return (*made_of, *self.generalised_forces, *self.rules, *rubbing)
 
     @cached_property
     def _letters(self) -> tuple[Symbol, ...]:
@@ -309,7 +335,8 @@ class Derived:
         """The symbols that are constant, in the order of their names."""
         moving = {*self.names.q, *self.names.v, self.names.t}
         if self.parts:  # of which not all enters L
-            acting = (self.names.plain(self.rest), *self.generalised_forces, *self.rules)
+            rubbing = map(self.names.plain, self._rubbing.values())
+            acting = (self.names.plain(self.rest), *self.generalised_forces, *self.rules, *rubbing)
             moving |= {*self._letters}.difference(
                 *(x.free_symbols for x in (*self.balanced.leaves, *acting))
             )
@@ -443,42 +470,6 @@ class Derived:
             named = zip(self.q, momenta(), self.names.p, strict=True)
             constant |= {name.name: p for x, p, name in named if x in self.cyclic}
         return constant
-
-    def rate(self, quantity: Expr) -> Expr:
-        """d/dt of a quantity (of q, q̇, p and t) along the motion."""
-        names = self.names
-        plain = self.quantity(expression("the quantity", quantity))
-        motion = dict(zip(names.a, self.program.written_out(), strict=False))
-        rates = {x: rate.xreplace(motion) for x, rate in names.rates.items()}
-        return names.back(readable(names.rate(plain, rates)))
-
-    def is_conserved(self, quantity: Expr) -> bool:
-        """Whether a quantity is constant along every motion, shown symbolically.
-
-        Raises RigidtopError where it is neither shown nor refuted.
-
-        >>> from sympy import symbols
-        >>> from rigidtop import System
-        >>> m, k = symbols("m k", positive=True)
-        >>> x, y, u, v = symbols("x y u v", real=True)
-        >>> well = System(m*(u**2 + v**2)/2 - k*(x**2 + y**2)/2, [x, y], [u, v])
-        >>> well.is_conserved(x*v - y*u), well.is_conserved(x*v + y*u)
-        (True, False)
-        """
-        rate = self.names.plain(self.rate(quantity))
-        if decide.vanishes(rate):
-            return True
-        if self.constraints:
-            raise RigidtopError(
-                "that it changes where the constraints do not hold tells nothing: see drift()"
-            )
-        for point in points(sorted(rate.free_symbols, key=str)):
-            value = sympy.N(rate.xreplace(point), 50)
-            if value.is_comparable and abs(value) > Rational(1, 10**30):
-                return False
-        raise RigidtopError(
-            "its rate is zero, or not real, wherever it was tried: neither shown nor refuted"
-        )
 
     def quantity(self, quantity: Expr) -> Expr:
         """With the momenta's letters, if there are any, written out."""

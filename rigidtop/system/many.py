@@ -15,6 +15,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import abreast, checks, taylor
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import TAYLOR, Accuracy, sides
+from rigidtop.system.friction import refuse
 from rigidtop.system.motion import SystemMotion
 from rigidtop.system.names import Given, as_assumed, numbers
 from rigidtop.system.numeric import Computed
@@ -30,6 +31,7 @@ Together = Callable[[NDArray[np.intp], Floats, Accuracy], Floats]
 
 def many(system: Computed, parameters: Given, q: Given, qdot: Given) -> SystemMotions:
     """See `System.motions`."""
+    refuse(system.friction, "motions(…)", "take motion(…) for one start after the other")
     if not isinstance(parameters, Mapping):
         numbers(system.parameters, parameters)  # complains
     given = [*parameters.items(), *row(system, "q", q).items(), *row(system, "qdot", qdot).items()]

@@ -4,30 +4,35 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from sympy import Expr
+from sympy import Expr, sign
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import Accuracy, Flow, Problem, flow, on_both_sides
+from rigidtop.motion.integrate import Accuracy, Flow, Held, Problem, flow, on_both_sides
 from rigidtop.motion.systems import Sizes
 from rigidtop.parameters import in_one_line
 from rigidtop.system.events import Watched, Zeros, joined_zeros, zeros
+from rigidtop.system.friction import refuse
 from rigidtop.system.held import Surface
 from rigidtop.system.names import Given, expression, numbers
 from rigidtop.system.numeric import Computed, computed
+from rigidtop.system.slipping import Slipping
 from rigidtop.system.start import SystemStart, at_its_size, least_size, row, sizes, with_units
-from rigidtop.system.trajectory import SystemSection, SystemTrajectory
+from rigidtop.system.trajectory import Signs, SystemSection, SystemTrajectory
 
 if TYPE_CHECKING:
     from rigidtop.system.lyapunov import LyapunovExponent
     from rigidtop.system.sensitivities import Sensitivities
+
+STICKS = "; a force jumps with a sign: friction that sticks is rt.DryFriction among the forces"
+"""What is right instead of −μN sign(v), where a solver gets stuck."""
 
 UNTIL = ""
 """The name of what ends a motion, among events."""
@@ -80,6 +85,8 @@ class SystemMotion(SystemStart):
         times = checks.times(t)
         accuracy = Accuracy(method, rtol, atol)
         start = np.array([*self.q, *self.qdot, *([0.0] * self.more)])
+        if self.system.friction:
+            start = self._slipping.begun(0.0, start, False)
         if not isinstance(events or {}, Mapping):
             raise RigidtopError(
                 f"events are given as {{name: quantity}}, not {in_one_line(events)}"
@@ -101,7 +108,9 @@ class SystemMotion(SystemStart):
                 self.keeps_signs(made.path(made.steps))
                 return made
 
-            return at_its_size(run, self._sizes, start, least_size(self.system, accuracy))
+            # How fast a block starts says nothing of how fast it is when friction has stopped it.
+            first = np.zeros_like(start) if self.system.friction else start
+            return at_its_size(run, self._sizes, first, least_size(self.system, accuracy))
 
         with np.errstate(all="ignore"):
             states = on_both_sides(flows, start, times, sample)
@@ -166,6 +175,7 @@ class SystemMotion(SystemStart):
         """
         from rigidtop.system.lyapunov import lyapunov
 
+        refuse(self.system.friction, "a Lyapunov exponent")
         accuracy = Accuracy(method or self.system.numeric.method, rtol, atol)
         start = *self.q, *self.qdot
         return lyapunov(self.system, self.parameters, start, t, accuracy, self.keeps_signs)
@@ -204,17 +214,19 @@ class SystemMotion(SystemStart):
         """
         from rigidtop.system.sensitivities import sensitivities
 
+        refuse(self.system.friction, "derivatives of a motion")
         return sensitivities(self, t, by, Accuracy(method, rtol, atol))
 
     def _section(self, found: Zeros) -> SystemSection:
         states = self._kept(found.times, found.states)
         return SystemSection(self, found.times, *self._columns(states), rising=found.rising)
 
-    def _columns(self, states: Floats) -> tuple[Floats, Floats, Floats]:
-        """q, q̇ and the work of states (…, N), a row each."""
+    def _columns(self, states: Floats) -> tuple[Floats, Floats, Floats, Signs]:
+        """q, q̇, the work and the slip of states (…, N), a row each."""
         n = len(self.q)
         work = states[2 * n] if self.system.numeric.works else np.zeros(states.shape[1])
-        return states[:n].T.copy(), states[n : 2 * n].T.copy(), work
+        slip = states[-1].astype(int) if self.system.friction else None
+        return states[:n].T.copy(), states[n : 2 * n].T.copy(), work, slip
 
     def _kept(self, times: Floats, states: Floats) -> Floats:
         """States (…, N) as the constraints have them."""
@@ -224,9 +236,9 @@ class SystemMotion(SystemStart):
     def _surface(self) -> Surface:
         return Surface(self.system, self.parameters)
 
-    def _held(self, time: float, state: Floats) -> Floats:
-        """The state that keeps the constraints."""
-        return self._surface.onto(np.array([time]), state[:, None])[:, 0]
+    def _held(self, begin: float, time: float, state: Floats) -> Floats:
+        """The state that keeps the constraints, at a time after the begin."""
+        return self._surface.onto(np.array([begin + time]), state[:, None])[:, 0]
 
     def _watched(self, name: str, given: Given) -> Watched:
         """A quantity as a function of times (N,) and states (…, N), and the direction."""
@@ -250,16 +262,33 @@ class SystemMotion(SystemStart):
     def _sizes(self, state: Floats) -> Floats:
         return sizes(self.system, state)
 
-    def _flow(self, start: Floats, end: float, accuracy: Accuracy, sizes: Sizes) -> Flow:
-        held, unit = self._held if self.system.constraints else None, sizes(start)
-        series = partial(self._taylor, start, unit)
+    def _flow(
+        self, start: Floats, end: float, accuracy: Accuracy, sizes: Sizes, begin: float = 0.0
+    ) -> Flow:
+        if self.system.friction:
+            unit = sizes(np.zeros_like(start))
+            return self._slipping.flow(self._smooth, start, end, accuracy, unit)
+        unit = sizes(start)
+        held = partial(self._held, begin) if self.system.constraints else None
+        series = partial(self._taylor, start, unit, held)
         own = sizes if held is None else lambda _: unit
-        return flow(Problem(self.rates_at, start, own, series, held), end, accuracy)
+        signs = any(Q.has(sign) for Q in self.system.generalised_forces)
+        hint = STICKS if signs else ""
+        return flow(Problem(self.rates_at, start, own, series, held, hint), end, accuracy)
 
-    def _taylor(self, start: Floats, unit: Floats, end: float, rtol: float) -> Flow:
+    @cached_property
+    def _slipping(self) -> Slipping:
+        return Slipping(self.system, self.parameters)
+
+    def _smooth(self, system: Computed, parameters: tuple[float, ...], *given: Any) -> Flow:
+        """The flow of what slides, or sticks."""
+        return replace(self, system=system, parameters=parameters)._flow(*given)
+
+    def _taylor(
+        self, start: Floats, unit: Floats, held: Held | None, end: float, rtol: float
+    ) -> Flow:
         """By heyoka's Taylor series, of the state in `unit`s: below 1 its tolerance is absolute."""
         values = with_units(self.system, unit, np.array(self.parameters))
-        held = self._held if self.system.constraints else None
         with self.system.numeric.series(rtol) as integrator:
             integrator.pars[:] = values[: len(integrator.pars)]
             integrator.state[:] = start / unit

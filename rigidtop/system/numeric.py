@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import sympy
 from sympy import Expr, Symbol
+from sympy.core.function import AppliedUndef
 
 from rigidtop.codegen import numpy as plain
 from rigidtop.codegen.heyoka import on_symbols
@@ -178,6 +179,16 @@ class Numeric:
         places = [x for x, of in zip(sides.rules, self.system.holonomic, strict=True) if of]
         rows = [x for row in (*sides.mass, *sides.constraints) for x in row]
         return self.on_graph([*rows, *sides.speeds, *places], "surface")
+
+    @cached_property
+    def friction(self) -> Function:
+        """Of dry friction w, the sum of the magnitudes of its terms, N, μN and μₛN."""
+        names, friction = self.system.names, self.system.friction
+        assert friction is not None
+        w = friction.velocity(names)
+        terms = [*(w.diff(v) * v for v in names.v), w.subs(dict.fromkeys(names.v, 0))]
+        forces = (names.plain(x * friction.normal) for x in (1, friction.mu, friction.mu_static))
+        return self.of((w, sympy.Add(*map(sympy.Abs, terms)), *forces))
 
     @cached_property
     def frames(self) -> Function:
@@ -386,3 +397,30 @@ class Computed(Canonical):
     def numeric(self) -> Numeric:
         """Functions of numbers."""
         return Numeric(self)
+
+    @cached_property
+    def slip(self) -> Symbol:
+        """The letter of the direction of dry friction, among the parameters of `sliding`."""
+        taken = {x.name for x in (*self.parameters, *self.names.q, *self.names.v)}
+        name = next(x for k in range(len(taken) + 1) if (x := "slip" + "_" * k) not in taken)
+        return Symbol(name, real=True)
+
+    @cached_property
+    def sliding(self) -> Computed:
+        """The system with dry friction in one direction, −1 or 1."""
+        names, friction = self.names, self.friction
+        assert friction is not None
+        pairs = zip(self.pushing, friction.on_coordinates(names, self.slip), strict=True)
+        return self._without_signs([Q + names.back(F) for Q, F in pairs], ())
+
+    @cached_property
+    def sticking(self) -> Computed:
+        """The system whose dry friction holds: by a constraint, the last."""
+        assert self.friction is not None
+        held = self.names.back(self.friction.velocity(self.names))
+        return self._without_signs(self.pushing, (held,))
+
+    def _without_signs(self, forces: Sequence[Expr], rules: tuple[Expr, ...]) -> Computed:
+        rates = None if isinstance(self.q[0], AppliedUndef) else self.qdot
+        more = {"rayleigh": self.rayleigh, "parts": self.parts}
+        return Computed(self.rest, self.q, rates, forces, (*self.constraints, *rules), **more)

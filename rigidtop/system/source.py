@@ -9,6 +9,7 @@ from rigidtop.codegen import languages
 from rigidtop.codegen.values import Value, Values
 from rigidtop.errors import RigidtopError
 from rigidtop.proof.equation import Equation
+from rigidtop.system.friction import refuse
 from rigidtop.system.names import lettered, like
 from rigidtop.typeset.text import text
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
 def source(system: Derived, language: str, name: str) -> str:
     """See `System.source`."""
+    refuse(system.friction, "a source file", "a program of one's own has to switch as it lets go")
     if language not in languages.LANGUAGES:
         there = ", ".join(languages.LANGUAGES)
         raise RigidtopError(f"no language {language!r}: there are {there}")

@@ -82,8 +82,9 @@ class SystemStart:
 
     @property
     def more(self) -> int:
-        """Components of the state besides q and q̇: the work, the time."""
-        return int(self.system.numeric.works) + int(self.system.numeric.timed)
+        """Components of the state besides q and q̇: the work, the time, how dry friction slips."""
+        numeric = self.system.numeric
+        return int(numeric.works) + int(numeric.timed) + bool(self.system.friction)
 
     def _rates(self, state: Sequence[float]) -> tuple[float, ...]:
         """ẋ of the state x = (q, q̇, work, t)."""
@@ -185,9 +186,10 @@ def least_size(system: Computed, accuracy: Accuracy) -> float:
     """Below this part of their first size tolerances would be less than rounding.
 
     Forces of constraints cancel large ones, such as a weight, so that a system at rest moves by
-    their rounding, however small its motion is; without constraints nothing is left at rest.
+    their rounding, however small its motion is; so does what friction holds.  Without both nothing
+    is left at rest.
     """
-    return ROUNDING / accuracy.atol if system.constraints else 0.0
+    return ROUNDING / accuracy.atol if system.constraints or system.friction else 0.0
 
 
 def with_units(system: Computed, units: Floats, parameters: Floats) -> Floats:

@@ -14,6 +14,7 @@ from sympy import Expr, Matrix
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
 from rigidtop.system.forms import short
+from rigidtop.system.friction import refuse
 from rigidtop.system.linkage import Linkage, Tree
 from rigidtop.system.names import Given, expression
 from rigidtop.system.numeric import Computed
@@ -37,9 +38,9 @@ class System(Computed):
 
     `q` are the n coordinates: functions of time, such as SymPy's `dynamicsymbols`, or plain symbols
     with their velocities `qdot`.  `forces` are the generalised forces Q that L does not have, in
-    the order of `q` or by coordinate.  `constraints` are expressions that vanish, or equations: of
-    the coordinates (holonomic), or linear in the velocities; multipliers keep them.  `rayleigh` is
-    a function ℱ(q, q̇) of which −∂ℱ/∂q̇ is a force too.
+    the order of `q` or by coordinate, and a `DryFriction`.  `constraints` are expressions that
+    vanish, or equations: of the coordinates (holonomic), or linear in the velocities; multipliers
+    keep them.  `rayleigh` is a function ℱ(q, q̇) of which −∂ℱ/∂q̇ is a force too.
 
     Results are in the names that were given; each is derived when it is asked for.  Raises
     RigidtopError, in one line, for what is no system.
@@ -179,6 +180,7 @@ class System(Computed):
         """
         from rigidtop.system.steady import equilibria
 
+        refuse(self.friction, "equilibria", "it rests within a band, |force| ≤ μₛN")
         return equilibria(self)
 
     def small(self, about: Mapping[Expr, object]) -> Small:
@@ -190,6 +192,7 @@ class System(Computed):
         """
         from rigidtop.system.steady import small
 
+        refuse(self.friction, "small deviations")
         return small(self, about)
 
     def linearise(
@@ -216,6 +219,7 @@ class System(Computed):
         """
         from rigidtop.system.linear import linearise
 
+        refuse(self.friction, "a linearisation")
         return linearise(self, at, inputs)
 
     def certify(self, parameters: Mapping[Expr, Any], seed: int = 0) -> dict[str, float]:
@@ -332,6 +336,7 @@ class System(Computed):
         """
         from rigidtop.system.fit import fitted
 
+        refuse(self.friction, "a fit")
         how = {"method": method or self.numeric.method, "rtol": rtol, "atol": atol}
         given = (parameters or {}, start or {}, known or {})
         return fitted(self, t, measured, *given, sigma, starts, how)

@@ -16,7 +16,11 @@ from rigidtop.motion.attitude import Floats
 from rigidtop.motion.rows import Rows
 from rigidtop.system.names import expression
 from rigidtop.system.numeric import BALANCE, Computed
+from rigidtop.system.slipping import Slipping
 from rigidtop.system.start import SystemStart
+
+Signs = NDArray[np.int_] | None
+"""−1, 0 or 1 for each row, if there are such."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -37,6 +41,9 @@ class SystemTrajectory(Rows):
 
     work: Floats
     """What forces have done since t = 0, where the energy is not conserved, shape (N,)."""
+
+    slip: Signs = None
+    """With a `DryFriction` the sign of the sliding velocity, 0 while it sticks, shape (N,)."""
 
     crossings: Mapping[str, SystemSection] = field(default_factory=dict)
     """Where each of the events that were asked for changes its sign, with times that increase.
@@ -139,7 +146,28 @@ class SystemTrajectory(Rows):
 
     @cached_property
     def _solved(self) -> Floats:
-        return self._along(self._system.numeric.solved).T
+        if self.slip is None:
+            return self._along(self._system.numeric.solved).T
+        rows = np.empty((len(self), len(self.motion.q) + len(self._system.constraints)))
+        slipping = Slipping(self._system, self.motion.parameters)
+        for slip in np.unique(self.slip):
+            at = self.slip == slip
+            states = np.concatenate([self.q[at], self.qdot[at]], axis=1).T
+            found = slipping.solved(slip, self.t[at], states)
+            rows[at] = found[: rows.shape[1]].T
+        return rows
+
+    @cached_property
+    def friction(self) -> Floats:
+        """The force of the `DryFriction` along its sliding velocity, shape (N,), in N.
+
+        It is what holds while it sticks.  Raises RigidtopError for a system without one.
+        """
+        if self.slip is None:
+            raise RigidtopError("the system has no DryFriction among its forces")
+        states = np.concatenate([self.q, self.qdot], axis=1).T
+        slipping = Slipping(self._system, self.motion.parameters)
+        return slipping.friction(self.t, states, self.slip.astype(float))
 
     def drift(self) -> dict[str, float]:
         """By how much what is conserved strays from its value at t = 0, at most; constraints too.
