@@ -35,8 +35,7 @@ IDLE = 100
 class Slipping:
     """A system with dry friction, in numbers, and when it slides and when it sticks.
 
-    A state is (q, q̇, work, time, slip), the time where the system has it; slip is the sign of the
-    sliding velocity, or 0 while it sticks.
+    A state is (q, q̇, work, …, slip): slip is the sign of the sliding velocity, 0 while it sticks.
     """
 
     system: Computed
@@ -145,7 +144,7 @@ class Slipping:
     ) -> Flow:
         """What the state does until `end` if it slides, or sticks, all the time."""
         system, parameters = self.chosen(state[-1])
-        whole, n = self.system.numeric, 2 * len(self.system.q)
+        n = 2 * len(self.system.q)
         works, timed = system.numeric.works, system.numeric.timed
 
         def own(whole: Floats, clock: float) -> Floats:
@@ -159,8 +158,6 @@ class Slipping:
         def path(times: Floats) -> Floats:
             states = np.repeat(state[:, None], len(times), axis=1)
             states[: n + works] = inner.path(times - time)[: n + works]
-            if whole.timed:
-                states[-2] = times
             return states
 
         steps = inner.steps + time

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from sympy import cos, sign, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
@@ -114,6 +114,7 @@ def test_a_pendulum_comes_to_rest_within_the_band_of_its_hinge():
 
 
 @settings(max_examples=25, deadline=None)
+@example(start=0.0, speed=1e-190, kinetic=0.5, more=0.0)
 @given(
     start=st.floats(-2, 2),
     speed=st.floats(-3, 3),
@@ -143,6 +144,14 @@ def test_a_force_that_grows_tears_it_loose(static):
     assert np.array_equal(run.slip[clear], (times > loose).astype(int)[clear])
 
 
+def test_what_holds_only_just_is_torn_loose_at_once():
+    force = [mu * m * g + a * t, rt.DryFriction(x, m * g, mu)]
+    just = rt.System(FREE, x, v, forces=force).motion({m: 2, g: 10, a: 1, mu: 0.2}, 0)
+    run = just.integrate((0, 3), **FINE)
+    assert np.max(np.abs(run.q[:, 0] - run.t**3 / 12)) < 1e-9
+    assert run.slip[1:].all()
+
+
 def test_a_belt_that_shakes_and_one_block_on_another():
     """A light belt takes the block along while u̇ is within μg; two blocks end with one velocity."""
     shaken = rt.System(FREE, x, v, forces=rt.DryFriction(v - u * cos(t), m * g, mu))
@@ -167,6 +176,9 @@ def test_a_slope_holds_a_block_up_to_its_angle():
     numbers = {m: 1, g: 10, mu: 0.5}
     still = slope.motion(numbers | {alpha: np.arctan(0.499)}, 0).integrate([0, 5])
     assert still.q.tolist() == [[0], [0]]
+    assert still.slip.tolist() == [0, 0]
+    steep = slope.motion(numbers | {alpha: np.arctan(0.501)}, 0)
+    assert steep.integrate(0).slip.tolist() == [-1]
     down = slope.motion(numbers | {alpha: np.arctan(0.75)}, 0).integrate([2], **FINE)
     assert abs(down.q[0, 0] + 2 * 10 * (0.6 - 0.4)) < 1e-9
     up = slope.motion(numbers | {alpha: np.arctan(0.4)}, 0, 3.0).integrate((0, 3), **FINE)
