@@ -108,9 +108,7 @@ class SystemMotion(SystemStart):
                 self.keeps_signs(made.path(made.steps))
                 return made
 
-            # How fast a block starts says nothing of how fast it is when friction has stopped it.
-            first = np.zeros_like(start) if self.system.friction else start
-            return at_its_size(run, self._sizes, first, least_size(self.system, accuracy))
+            return at_its_size(run, self._sizes, start, least_size(self.system, accuracy))
 
         with np.errstate(all="ignore"):
             states = on_both_sides(flows, start, times, sample)
@@ -266,6 +264,7 @@ class SystemMotion(SystemStart):
         self, start: Floats, end: float, accuracy: Accuracy, sizes: Sizes, begin: float = 0.0
     ) -> Flow:
         if self.system.friction:
+            # How fast a block starts says nothing of how fast it is when it has turned.
             unit = sizes(np.zeros_like(start))
             return self._slipping.flow(self._smooth, start, end, accuracy, unit)
         unit = sizes(start)
