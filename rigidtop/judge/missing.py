@@ -69,6 +69,9 @@ def term(question: Question) -> Outcome | None:
         or not question.rests_on
     ):
         return None
+    terms = {x.as_coeff_Mul()[1] for x in Add.make_args((left - right).expand())}
+    if count < 3 and gap.as_coeff_Mul()[1] in terms:
+        return None  # one of its two terms has another number
     own = own_letters(question.left) | own_letters(question.right)
     if not letters_of(gap) <= (own | near(question) if derived else own):
         return None

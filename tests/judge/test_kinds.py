@@ -56,10 +56,6 @@ BEATS = r"""
 $$ y = \frac a2(\cos w_1 t - \cos w_2 t) $$ or, with $s = \frac12(w_1 + w_2)$ and
 $d = \frac12(w_2 - w_1)$,
 """
-KEPT = r"""
-With a multiplier for $r = R$ the Lagrangian is
-$$ L = \frac12 m(\dot r^2 + r^2\dot\theta^2) - mgr\cos\theta + \lambda(r - R) $$ and
-"""
 KINDS = [
     ("a component of a vector", TURNED, r"c_y = -2w\dot x\sin\beta", "= -2", "= 2"),
     (
@@ -70,7 +66,6 @@ KINDS = [
         "",
     ),
     ("d that is a letter", BEATS, r"y = a\sin st\sin dt", "= a", "= -a"),
-    ("a multiplier", KEPT, r"m\ddot r = mr\dot\theta^2 - mg\cos\theta + \lambda", "- mg", "+ mg"),
     (
         "a place where it stays",
         TOP,

@@ -307,6 +307,13 @@ def test_what_vanishes_in_each_of_its_terms_does_not_follow(words, line):
     assert not row.outcome.passed
 
 
+def test_what_a_multiplier_keeps_is_not_put_in_before_it_is_varied():
+    L = r"$$L = \frac12m(\dot r^2 + r^2\dot\theta^2) - mgr\cos\theta + \lambda(r - R)$$"
+    line = r"$$m\ddot r = mr\dot\theta^2 - mg\cos\theta + \lambda$$"
+    *_, row = judged(f"With a multiplier for $r = R$ the Lagrangian is\n{L}\nand\n{line}")
+    assert row.outcome.verdict == "sampled"
+
+
 def test_in_a_single_world_no_slip_is_found(monkeypatch):
     found = worlds.found
 
