@@ -7,6 +7,26 @@ from __future__ import annotations
 
 from enum import Enum, auto
 
+from rigidtop.read.words import (
+    AND,
+    BEING,
+    CIRCUMSTANCE,
+    FIXED,
+    LARGE,
+    LARGER,
+    LIKE,
+    NOUN,
+    OF_SEVERAL,
+    PLACE,
+    POINTING,
+    POSITION,
+    QUANTITY,
+    SMALL,
+    SMALLER,
+    START,
+    THE,
+)
+
 
 class Cue(Enum):
     """One thing that words say of a formula."""
@@ -107,87 +127,10 @@ class Cue(Enum):
     """Words since the formula before say that everything begins at rest: "released"."""
 
 
-_THE = r"(?:the|an?|its|our|their|some|der|die|das|dem|den|eine?[mnrs]?|les?|la|une?|l')"
-_NOUN = rf"(?: {_THE})?(?: [\w'-]+){{0,4}}"
-_START = r"(?:^|[,;:.(–¶] ?|\b(?:and|while|but|or|so|that|now|then|we|us|I|und|wir|et|dass|que) )"
-_BEING = r"(?:is|are|be|being|remains?|stays?|ist|sind|bleib(?:t|en)|est|sont|reste(?:nt)?)"
-_AND = r"(?:,? ?(?:and|und|et|,) §)*,? ?"
-_FIXED = (
-    r"(?:constant|const\b|conserved|fixed|unchanged|the same|konstant|erhalten|fest|unverändert"
-    r"|constante?s?|conservée?s?)"
-)
-_MEASURE = (
-    r"(?:(?:kinetic |potential )?energ(?:y|ies)|moment(?:a|um|s)?|veloci\w+|speed"
-    r"|accelerations?|forces?|torques?|frequenc\w+|periods?|angles?|rates?|times?|Lagrangian"
-    r"|Hamiltonian|action|tensor|matri\w+|equations?|components?|coordinates?|potential|amplitudes?"
-    r"|work|power|distance|positions?|ratio|first|second|third|last|next|rest|sake|same|purposes?"
-    r"|solutions?|derivatives?|constants?|tension|mass|density|radius|length|height|sum|axes|axis)\b"
-)
-"""Words for what a letter stands for, not for the body that has it."""
-_QUANTITY = rf"(?:[\w-]+ ){{0,3}}{_MEASURE}"
-_PLACE = (
-    r"(?:start|beginning|top|bottom|end|edge|(?:turning|lowest|highest|foremost|nearest) point"
-    r"|point (?:next|nearest|closest|furthest|farthest)[^,;:§]{0,30}|(?:same |first |last )?moment"
-    r"|instant|(?:peri|ap)helion|perigee|apogee|(?:peri|apo)cent(?:re|er)|maximum|minimum|middle|cent(?:re|er)|wall|surface|axis|rim)"
-)
-_OF_SEVERAL = r" (?:of|one|mode|root|frequency|frequencies|eigen\w+|value|moment)\b"
-_LIKE = r"(?:equal|alike|the same|identical|egal|as (?:\w+) as)\b"
-_SMALL = (
-    r"(?:small(?:ness of)? (?:§|angles?|oscillations?|vibrations?|displacements?|deviations?"
-    r"|swings?"
-    r"|amplitudes?|motions?|perturbations?|disturbances?|deflections?|things|quantities|terms)"
-    r"|(?:first|second|lowest|leading|linear) order|approximately|roughly"
-    rf"|(?:nearly|almost)(?! {_LIKE})"
-    r"|linear(?:is|iz)"
-    r"|neglect|dropping|(?:I|we) drop|slightly"
-    r"|kleinen? (?:§|Winkeln?|Schwingung(?:en)?|Auslenkung(?:en)?|Ausschläge|Störung(?:en)?)"
-    r"|(?:erster|zweiter|führender) Ordnung|näherungsweise|ungefähr|vernachlässig"
-    r"|fast (?:konstant|null|senkrecht)"
-    r"|petite?s? (?:§|angles?|oscillations?|mouvements?|déplacements?)|premier ordre|approximative"
-    r"|environ|presque|néglig)"
-)
-_LARGE = (
-    r"(?:large(?:st)? §|§ (?:is )?(?:very )?large\b|fast (?:\w+ )?(?:top|spin|wheel|gyroscope"
-    r"|rotation)"
-    r"|rapidly|(?:very|is) (?:large|fast)\b|(?:schnelle[rns]?) (?:\w+ )?(?:Kreisel|Rotation)"
-    r"|gro(?:ß|ss)es? §"
-    r"|toupie rapide|grande?s? (?:§|vitesses?))"
-)
-
-_SMALLER = r"(?:small|light|slow|short|weak|low)er\b"
-_LARGER = r"(?:larg|great|bigg|heavi|fast|quick|long|strong|high|stiff)er\b"
-
-_CIRCUMSTANCE = (
-    r"(?:(?:and|but|so|then|now|und|aber|et|mais),? )?"
-    r"(?:on|with|without|after|as soon as|where|while|if|when|once|under|behind|during|an?|another"
-    r"|for|auf|ohne|nach|sobald|während|wenn|unter|hinter|eine?|sur|sans|après|dès que|pendant|si"
-    r"|quand|sous|une?)"
-    r" (?!this|that|these|those|its?\b|them|the (?:same|other)|general|both|our|small|large|which"
-    r"|particular|us|all|each|every|any|beide|diese|all|les deux|cela|ce\b|en\b)"
-)
-"""Words with which circumstances begin, and not what is done with the equations."""
-
-_POSITION = (
-    r"(?:(?:(?:rest|equilibrium|lowest|highest|hanging|upright|vertical|horizontal|initial) )?"
-    r"(?:position|configuration|point|direction)|equilibrium|bottom|top|origin|vertical"
-    r"|horizontal|level|ground|ceiling|floor|(?:Ruhe|Gleichgewichts|Null)(?:lage|punkt)"
-    r"|(?:tiefste|höchste)[nr]? (?:Lage|Stelle|Punkt)|(?:Senk|Waage)rechte|Gleichgewicht"
-    r"|Vertikale|Horizontale|(?:la )?(?:position|verticale|horizontale)(?: d['’]équilibre"
-    r"| de repos| (?:la )?plus basse| initiale)?|point le plus bas|équilibre|repos|origine)"
-)
-"""Words for a place from which a coordinate counts."""
-_POINTING = (
-    r"(?:(?:(?:hanging|hangs|pointing|points|straight|vertically|directly) ){0,2}"
-    r"(?:hanging|down(?:wards?)?|up(?:wards?|right)?|vertical(?:ly)?|horizontal(?:ly)?|below|above)"
-    r"|(?:(?:senkrecht|hängend|ganz|nach) ){0,2}(?:unten|oben|hängend|senkrecht|waagerecht)"
-    r"|(?:vers le|en) (?:bas|haut))\b"
-)
-"""Words for a direction in which something lies or hangs."""
-
 BEFORE: dict[Cue, tuple[str, ...]] = {
     Cue.MOMENT: (
         rf"(?<!acts )(?<!fixed )(?<!held )(?<!hinged )(?<!attached )(?<!applied )(?<!sits )"
-        rf"\b(?:at|in|near|passes|reaches) (?:(?:the|its|this|that) )?{_PLACE}\b[^§]*",
+        rf"\b(?:at|in|near|passes|reaches) (?:(?:the|its|this|that) )?{PLACE}\b[^§]*",
         r"(?:^|[.;¶] ?)(?:there(?! (?:is|are|was|were|exists?|remains?|must|can|will|has)\b)"
         r"|dort|là)\b[^§]*",
         r"(?:^|[.;¶] ?)(?:the )?(?:lowest|highest|foremost|nearest) point\b[^§]*",
@@ -203,30 +146,30 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"|au moment où)\b[^§]*",
     ),
     Cue.CASE: (
-        rf"{_START}(?:suppos(?:e|ing)|assum(?:e|ing)|let)(?: (?:now|that|us|also|first))*{_NOUN},?",
-        rf"{_START}(?:set(?:ting)?|put(?:ting)?|tak(?:e|ing)|try)(?: (?:now|also|first|as))*",
+        rf"{START}(?:suppos(?:e|ing)|assum(?:e|ing)|let)(?: (?:now|that|us|also|first))*{NOUN},?",
+        rf"{START}(?:set(?:ting)?|put(?:ting)?|tak(?:e|ing)|try)(?: (?:now|also|first|as))*",
         r"\blet [^§.;]{1,60}:(?: § [^§.;]{1,30},)*",
-        rf"{_START}set(?:ting)? [^§=.;:]{{1,40}} = [^§=.;:]{{1,40}}",
+        rf"{START}set(?:ting)? [^§=.;:]{{1,40}} = [^§=.;:]{{1,40}}",
         r"\b(?:choos(?:e|ing)|chosen|wähl(?:e|en|t)|gewählt|choisi\w*) [^§.;:]{1,50}"
         r"(?:such|so|sodass|dass|that|que)(?: that| dass)?",
         r"\bI (?:assume|take|suppose)(?: that)?",
         rf"\b(?:angenommen|nimm an|nehmen (?:wir )?an|sei(?:en)?|sind nun"
-        rf"|setze(?:n wir)?),?(?: nun| dass)*{_NOUN}",
-        rf"\b(?:supposons|soi(?:t|ent)|posons|on pose|prenons)(?: que| alors)*{_NOUN}",
+        rf"|setze(?:n wir)?),?(?: nun| dass)*{NOUN}",
+        rf"\b(?:supposons|soi(?:t|ent)|posons|on pose|prenons)(?: que| alors)*{NOUN}",
     ),
     Cue.DEFINED: (
-        rf"(?:^|[,;:.(¶–] ?|\band )(?:with|mit|avec)(?! the (?:solution|result|help|aid)){_NOUN}",
+        rf"(?:^|[,;:.(¶–] ?|\band )(?:with|mit|avec)(?! the (?:solution|result|help|aid)){NOUN}",
         rf"\b(?:let|where|defin(?:e|ing)|call(?:ing)?|denot(?:e|ing)(?: by)?|writ(?:e|ing)"
-        rf"|introduc(?:e|ing)|abbreviat(?:e|ing)|namely|i\. ?e\.){_NOUN}",
-        rf"{_START}(?:set(?:ting)?|put(?:ting)?|tak(?:e|ing))(?: (?:now|also|first|as))*",
+        rf"|introduc(?:e|ing)|abbreviat(?:e|ing)|namely|i\. ?e\.){NOUN}",
+        rf"{START}(?:set(?:ting)?|put(?:ting)?|tak(?:e|ing))(?: (?:now|also|first|as))*",
         r"\bI write|\bwe (?:write|call|define|introduce|put|set)(?: it)?",
-        rf"\b(?:wobei|sei(?:en)?|setze(?:n wir)?|definiere(?:n wir)?|nenne(?:n wir)?){_NOUN}",
-        rf"\b(?:(?<!d')où|soi(?:t|ent)|on pose|posons|on note|notons|appelons){_NOUN}",
+        rf"\b(?:wobei|sei(?:en)?|setze(?:n wir)?|definiere(?:n wir)?|nenne(?:n wir)?){NOUN}",
+        rf"\b(?:(?<!d')où|soi(?:t|ent)|on pose|posons|on note|notons|appelons){NOUN}",
     ),
     Cue.SMALL: (r"\b(?:small|kleine[nrms]?|petite?s?)",),
     Cue.LARGE: (r"\b(?:large|gro(?:ß|ss)e[nrms]?|grande?s?)",),
     Cue.LITTLE: (
-        rf"\bmuch {_LARGER} than{_NOUN}",
+        rf"\bmuch {LARGER} than{NOUN}",
         r"\bviel (?:größer|schwerer|schneller|länger|stärker) als(?: [\w-]+){0,2}",
         r"\bbeaucoup plus (?:grande?|lourde?|rapide|longue?) que(?: [\w-]+){0,2}",
     ),
@@ -257,7 +200,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"(?: [\w'-]+){0,3} (?:by|durch|par)",
     ),
     Cue.ORIGIN: (
-        rf"\b{_POSITION} (?:{_BEING}|has|hat|a|corresponds to|entspricht|correspond à)"
+        rf"\b{POSITION} (?:{BEING}|has|hat|a|corresponds to|entspricht|correspond à)"
         r"(?: (?:at|bei|en|à))?",
         r"\b(?:measured|counted|counts|gemessen|gezählt|zählt|mesurée?|comptée?) "
         r"(?:from|von|ab|à partir de)",
@@ -295,8 +238,8 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"\b(?:(?:highest|turning) point|turns (?:back|round)|stops|comes to rest"
         r"|höchste[nr]? Punkt|Umkehrpunkt|kehrt um|bleibt stehen|point le plus haut|s'arrête)\b",
     ),
-    Cue.SMALL: (rf"\b{_SMALL}",),
-    Cue.LARGE: (rf"\b{_LARGE}",),
+    Cue.SMALL: (rf"\b{SMALL}",),
+    Cue.LARGE: (rf"\b{LARGE}",),
     Cue.EQUILIBRIUM: (
         r"\bstands? (?:still|at a (?:fixed|constant)\b)",
         r"\bkeeps? (?:its|their|the same|a (?:fixed|constant)) "
@@ -337,16 +280,16 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"|in step|in phase|out of phase|against each other|numbered"
         r"|(?:keeps?|has|with) (?:its|the) (?:natural )?length)\b",
     ),
-    Cue.CIRCUMSTANCE: (rf"^{_CIRCUMSTANCE}(?!the {_QUANTITY})[\w'-]+ [\w'-]+",),
+    Cue.CIRCUMSTANCE: (rf"^{CIRCUMSTANCE}(?!the {QUANTITY})[\w'-]+ [\w'-]+",),
     Cue.OTHER: (
         r"\b(?:second|third|other|next|another|neighbouring) (?!one|hand|root|mode|law|side"
         r"|equation|solution|frequenc|eigen|value|component|coordinate|line|term|derivative|two"
         r"|to|and|time)\w+",
         r"\b(?:ander(?:e[nmrs]?) (?:Körper|Masse|Kugel)|Mond|autre (?:corps|masse))\b",
     ),
-    Cue.LEAST: (rf"\b(?:lower|lowest|slow(?:er|est)?|smaller|smallest|least){_OF_SEVERAL}",),
+    Cue.LEAST: (rf"\b(?:lower|lowest|slow(?:er|est)?|smaller|smallest|least){OF_SEVERAL}",),
     Cue.GREATEST: (
-        rf"\b(?:higher|highest|fast(?:er|est)?|greater|greatest|larger|largest){_OF_SEVERAL}",
+        rf"\b(?:higher|highest|fast(?:er|est)?|greater|greatest|larger|largest){OF_SEVERAL}",
     ),
     Cue.SEVERAL: (
         r"\b(?:frequencies|modes|eigen(?:values|frequencies)|roots|solutions|Frequenzen|Wurzeln"
@@ -404,7 +347,7 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"\bles deux(?: forces)? sont égale?s?\b",
     ),
     Cue.NEARLY_EQUAL: (
-        rf"\b(?:nearly|almost) {_LIKE}|\bfast (?:gleich|ebenso)|\bpresque (?:égale?s?|les mêmes)",
+        rf"\b(?:nearly|almost) {LIKE}|\bfast (?:gleich|ebenso)|\bpresque (?:égale?s?|les mêmes)",
     ),
     Cue.CIRCLE: (r"\b(?:on an? (?:\w+ )?circle|circular|Kreisbahn\w*|circulaire)\b",),
     Cue.OSCILLATION: (
@@ -435,36 +378,36 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
 
 BEHIND: dict[Cue, tuple[str, ...]] = {
     Cue.CONSTANT: (
-        rf",? ?(?:which |that |die |der |qui )?{_BEING} (?:\w+ )?(?:an? |the |une? |eine? )?"
-        rf"{_FIXED}",
-        rf"{_AND}(?:are|remain|stay|sind|bleiben|sont|restent) (?:\w+ )?(?:the |des )?{_FIXED}",
-        rf"{_AND}(?:both |all )?(?:fixed|const(?:ant)?|konst(?:ant)?|constante?s?|conserved|fest)"
+        rf",? ?(?:which |that |die |der |qui )?{BEING} (?:\w+ )?(?:an? |the |une? |eine? )?"
+        rf"{FIXED}",
+        rf"{AND}(?:are|remain|stay|sind|bleiben|sont|restent) (?:\w+ )?(?:the |des )?{FIXED}",
+        rf"{AND}(?:both |all )?(?:fixed|const(?:ant)?|konst(?:ant)?|constante?s?|conserved|fest)"
         r"\b",
-        rf"{_AND}(?:does|do) not (?:change\b(?! under| with| if)|depend on (?:the )?time)",
+        rf"{AND}(?:does|do) not (?:change\b(?! under| with| if)|depend on (?:the )?time)",
         r",? ?(?:which )?(?:ändert sich nicht|ne (?:change|varie) pas|bleibt erhalten)",
-        rf"{_AND}(?:keeps? (?:its|their) values?|behalten (?:ihren|ihre) Werte?"
+        rf"{AND}(?:keeps? (?:its|their) values?|behalten (?:ihren|ihre) Werte?"
         r"|gardent leurs? valeurs?)",
     ),
     Cue.SMALL: (
-        rf",? ?\(?(?:for|if|when|to|in|up to|für|bis|pour|au) [^§.;]{{0,20}}?{_SMALL}",
-        rf"{_AND}(?:{_BEING} )?(?:very |sehr |très )?(?:small|klein|petite?s?)\b",
+        rf",? ?\(?(?:for|if|when|to|in|up to|für|bis|pour|au) [^§.;]{{0,20}}?{SMALL}",
+        rf"{AND}(?:{BEING} )?(?:very |sehr |très )?(?:small|klein|petite?s?)\b",
     ),
     Cue.LARGE: (
-        rf",? ?\(?(?:for|if|when|für|pour) (?:an? |the )?{_LARGE}",
-        rf"{_AND}(?:{_BEING} )?(?:very |sehr |très )?(?:large|groß|gross|grande?s?)\b",
+        rf",? ?\(?(?:for|if|when|für|pour) (?:an? |the )?{LARGE}",
+        rf"{AND}(?:{BEING} )?(?:very |sehr |très )?(?:large|groß|gross|grande?s?)\b",
     ),
     Cue.LITTLE: (
-        rf",? ?{_BEING} (?:so |very )?much {_SMALLER} than\b",
+        rf",? ?{BEING} (?:so |very )?much {SMALLER} than\b",
         r",? ?ist (?:so |sehr )?viel (?:kleiner|leichter|langsamer|kürzer|schwächer) als\b",
         r",? ?est beaucoup plus (?:petite?|légère?|lente?|courte?) que\b",
     ),
     Cue.ORIGIN: (
-        rf",? ?\(?(?:(?:{_BEING}|for|as|als|comme|when|where|if|wenn|wo|si|means|heißt"
+        rf",? ?\(?(?:(?:{BEING}|for|as|als|comme|when|where|if|wenn|wo|si|means|heißt"
         rf"|corresponds to|entspricht|correspond à|denotes|marks) )?"
         rf"(?:(?:it|he|she|er|sie|es|elle|il) )?(?:hangs )?"
-        rf"(?:(?:at|in|bei|im|à|au|en) )?(?:{_THE} ?)?(?:{_POSITION}\b|{_POINTING})",
+        rf"(?:(?:at|in|bei|im|à|au|en) )?(?:{THE} ?)?(?:{POSITION}\b|{POINTING})",
     ),
-    Cue.MOMENT: (rf",? ?(?:at|in|near) the {_PLACE}\b|,? ?(?:initially|am Anfang|au début)\b",),
+    Cue.MOMENT: (rf",? ?(?:at|in|near) the {PLACE}\b|,? ?(?:initially|am Anfang|au début)\b",),
     Cue.GENERAL: (r",? ?(?:for all (?:times?|t|§)|at (?:any|all) times?|always|stets|toujours)\b",),
     Cue.ASKED: (
         r"[^.]*\?",
@@ -509,22 +452,22 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"\b(?:if|only if|in (?:the|this|a)(?: \w+)? case[^§.;:]{0,50}"
         r"|provided(?: that)?|as long as|falls|sofern|solange|wenn|im Fall(?:e)?(?: dass)?"
         r"|si|pourvu que|dans le cas)",
-        rf"{_START}(?:for|on|during|für|pour|sur)"
+        rf"{START}(?:for|on|during|für|pour|sur)"
         r"(?! (?:example|instance|comparison|convenience|short|simplicity"
         r"|its|his|their|this|that|which|it|all"
         r"|each|every|any|both|our|en|trouve|obtient|pose|note|voit)\b| an?[ ,]*\Z)(?: (?!the\b"
         r"|at\b)[\w'-]+){1,5}"
         r"(?:, [^,;:.(§]{1,24})?",
-        rf"{_START}for the(?! {_QUANTITY})(?: (?!the\b|at\b)[\w'-]+){{1,5}}",
-        rf"{_START}(?:for|für|pour)",
+        rf"{START}for the(?! {QUANTITY})(?: (?!the\b|at\b)[\w'-]+){{1,5}}",
+        rf"{START}(?:for|für|pour)",
         r"(?:^|[.;¶] ?)(?:special cases?|Sonderf[aä]lle?|cas particuliers?)\b[^.;§]{0,60}[,:]",
         r"(?:^|[.¶] ?)(?:when|if|wenn|falls|si|lorsque|quand) [^,;:.§]{1,60},",
-        rf"{_START}(?:without|ohne|sans) [^,;:.§]{{1,30}},?",
+        rf"{START}(?:without|ohne|sans) [^,;:.§]{{1,30}},?",
         r"\b(?:if|when|wenn|falls|si|lorsque) [^.;:]{1,150}[ ,](?:then|dann|alors)",
         r"\b(?:if|when|suppose|place|put|choose) [^.;:§]{1,80}\b(?:so|such) that",
-        rf"{_START}on the (?!other|one)[\w -]{{1,20}},",
-        rf"{_START}while an? [^,;:.(§]{{1,30}},",
-        rf"{_START}in (?:steady|uniform|circular|equilibrium|free) [^,;:.§]{{0,30}}\(?",
+        rf"{START}on the (?!other|one)[\w -]{{1,20}},",
+        rf"{START}while an? [^,;:.(§]{{1,30}},",
+        rf"{START}in (?:steady|uniform|circular|equilibrium|free) [^,;:.§]{{0,30}}\(?",
     ),
     Cue.CONDITION: (r"\(|\b(?:for|für|pour|where|with)",),
 }
