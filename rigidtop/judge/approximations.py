@@ -8,7 +8,6 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import combinations
-from math import gcd
 
 from sympy import Rational
 
@@ -23,6 +22,7 @@ from rigidtop.judge.orders import (
     differ,
     is_too_long,
     nearly,
+    ratio,
     scalings,
     small_together,
     tending_to,
@@ -191,17 +191,17 @@ def said(question: Question) -> Judgement | None:
 
 def _of_two_alike(question: Question) -> Outcome:
     """What holds where two parameters are equal holds nearly where they are nearly so."""
-    found = {
+    parameters = {
         x: jet.letter
         for pair in question.both
         for side in pair
         for x, jet in jets(side).items()
         if not jet.order and jet.letter not in question.moving
     }
-    for x, y in combinations(sorted(found, key=str), 2):
+    for x, y in combinations(sorted(parameters, key=str), 2):
         both = [(left.subs(y, x), right.subs(y, x)) for left, right in question.both]
         if question.of(both).holds():
-            words = f"nearly equal {in_words(found[x])} and {in_words(found[y])}"
+            words = f"nearly equal {in_words(parameters[x])} and {in_words(parameters[y])}"
             return Outcome(ASSUMING, f"for {words}", question.rests_on, conditions=(words,))
     return Outcome(UNDECIDED, "it is not seen which two are nearly equal")
 
@@ -238,22 +238,25 @@ def near_slip(question: Question) -> Slip | None:
 
 def _near_multiple(question: Question) -> Outcome | None:
     """By which simple fraction the right side has to be multiplied to become like the left one."""
-    if Cue.ELSEWHERE in question.at.cues:
+    if Cue.ELSEWHERE in question.at.cues or not question.worlds.count:
         return None
+    left, right = question.both[0]
     with question.patience.search(SLIP_SECONDS) as until:
-        for factor in _FRACTIONS:
-            if time.process_time() > until:
-                return None
-            both = [(left, factor * right) for left, right in question.both]
-            if _is_alike(question, both, question.worlds):
+        for scaling in _scalings(question, question.worlds):
+            times_as_much = ratio(left, right, question.equations, question.worlds, scaling)
+            if time.process_time() > until or not abs(times_as_much) < LARGEST + 1:
+                continue
+            factor = Fraction(times_as_much).limit_denominator(LARGEST)
+            both = [(a, Rational(factor) * b) for a, b in question.both]
+            if 0 < factor <= LARGEST and _is_alike(question, both, question.worlds):
                 words = f"{factor} times as much"
-                right = latex(times(Fraction(factor.p, factor.q), question.right))
-                line = f"{latex(question.left)} \\approx {right}"
+                line = f"{latex(question.left)} \\approx {latex(times(factor, question.right))}"
                 return Outcome(FALSE, f"it holds with {words}", question.rests_on, words, line)
     return None
 
 
-_FRACTIONS = [Rational(p, q) for p in range(1, 8) for q in range(1, 8) if p != q and gcd(p, q) == 1]
+LARGEST = 7
+"""No larger number stands in a fraction by which a line is said to be off."""
 
 
 def _is_alike(

@@ -5,7 +5,7 @@ Where x̂ is scaled down step by step, the share of the sides by which they diff
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -74,34 +74,15 @@ def is_too_long(
     terms = Add.make_args(right.expand()) if operations(right) < LONGEST else (right,)
     if len(terms) < 2:
         return False
-    for k in reversed(range(1, STEPS)):
-        gaps = [
-            _beside_smallest(left, right, terms, equations, worlds, scaling, x) for x in (k, k - 1)
-        ]
-        last, before = gaps
-        if last is None or before is None:
-            return False
-        if last.is_resolved:
-            return bool(((last.share > LITTLE) & (last.share >= STAYS * before.share)).all())
-    return False
 
+    def beside_smallest(step: int) -> Gap | None:
+        settled, _ = _settled(tuple(equations), worlds, scaling, step)
+        if settled is None:
+            return None
+        at = Program(worlds.letters, settled).values([left - right, *terms])
+        return _gap_of(at.values[0], at.sizes[0], np.abs(at.values[1:]).min(axis=0), equations)
 
-def _beside_smallest(
-    left: Expr,
-    right: Expr,
-    terms: Sequence[Expr],
-    equations: Sequence[Expr],
-    worlds: Worlds,
-    scaling: Scaling,
-    step: int,
-) -> Gap | None:
-    """By how much the sides differ after some steps, as a share of the smallest of some terms."""
-    settled, _ = _settled(tuple(equations), worlds, scaling, step)
-    if settled is None:
-        return None
-    at = Program(worlds.letters, settled).values([left - right, *terms])
-    gap = _gap_of(at.values[0], at.sizes[0], np.abs(at.values[1:]).min(axis=0), equations)
-    return gap if np.isfinite(gap.share).all() else None
+    return _stays(beside_smallest)
 
 
 def differ(
@@ -109,16 +90,25 @@ def differ(
 ) -> bool:
     """Whether both sides have values at the last steps and in no world become alike."""
     sides = left, right, equations, worlds, scaling
-    step, last = _last(*sides, strictly=True)
-    before = _gap(*sides, step - 1, strictly=True) if last is not None else None
-    if before is None or last is None or not np.isfinite([before.share, last.share]).all():
-        return False
-    return bool(((last.share > LITTLE) & (last.share >= STAYS * before.share)).all())
+    return _stays(lambda step: _gap(*sides, step, strictly=True))
+
+
+def ratio(
+    left: Expr, right: Expr, equations: Sequence[Expr], worlds: Worlds, scaling: Scaling
+) -> float:
+    """How many times as large as the right side the left one becomes; NaN where it is not seen."""
+    step, gap = _last(lambda step: _gap(left, right, equations, worlds, scaling, step))
+    settled, _ = _settled(tuple(equations), worlds, scaling, step)
+    if gap is None or settled is None:
+        return np.nan
+    at = Program(worlds.letters, settled).values([left, right])
+    with np.errstate(all="ignore"):
+        return float(np.median((at.values[0] / at.values[1]).real))
 
 
 def share(left: Expr, right: Expr, worlds: Worlds, scaling: Scaling) -> NDArray[np.float64]:
     """By which share of the larger one both sides differ at the last step."""
-    _, gap = _last(left, right, (), worlds, scaling)
+    _, gap = _last(lambda step: _gap(left, right, (), worlds, scaling, step))
     return np.full(worlds.count, np.inf) if gap is None else gap.share
 
 
@@ -170,7 +160,7 @@ def _tends(
     left: Expr, right: Expr, equations: Sequence[Expr], worlds: Worlds, scaling: Scaling
 ) -> bool:
     sides = left, right, equations, worlds, scaling
-    _, last = _last(*sides)  # it decides most often
+    _, last = _last(lambda step: _gap(*sides, step))  # it decides most often
     if last is None or not (last.share < LITTLE).all():
         return False
     first = _gap(*sides, 0)
@@ -202,23 +192,31 @@ def _gap_of(
         return Gap(gaps / size, rounding / size)
 
 
-def _last(
-    left: Expr,
-    right: Expr,
-    equations: Sequence[Expr],
-    worlds: Worlds,
-    scaling: Scaling,
-    strictly: bool = False,
-) -> tuple[int, Gap | None]:
-    """The gap after the last step at which rounding does not hide it, and that step.
+Gaps = Callable[[int], Gap | None]
+"""The gap after so many steps; None where it has no value."""
+
+
+def _last(gap_at: Gaps) -> tuple[int, Gap | None]:
+    """The last step at which rounding does not hide a gap, and the gap there.
 
     1 − cos x is lost in the rounding of 1 where x is small enough.
     """
     for step in reversed(range(1, STEPS)):
-        gap = _gap(left, right, equations, worlds, scaling, step, strictly)
+        gap = gap_at(step)
         if gap is None or gap.is_resolved or not np.isfinite(gap.share).all():
             break
     return step, gap
+
+
+def _stays(gap_at: Gaps) -> bool:
+    """Whether in every world a gap is not seen to go to zero at the last two steps."""
+    step, last = _last(gap_at)
+    if last is None or not last.is_resolved:
+        return False
+    before = gap_at(step - 1)
+    if before is None or not np.isfinite([before.share, last.share]).all():
+        return False
+    return bool(((last.share > LITTLE) & (last.share >= STAYS * before.share)).all())
 
 
 def _gap(
