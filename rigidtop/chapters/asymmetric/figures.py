@@ -177,16 +177,18 @@ def exponent(two: Pair) -> tuple[float, float]:
 
 def draw_distances(axes: Axes, lambda1: float, chi: float, until: int | None = None) -> None:
     """The distances of both pairs as far as a row, and the line that fits."""
-    with_it, without = pair(KOVALEVSKAYA, chi), pair(other(lambda1), chi)
+    without = pair(other(lambda1), chi)
     slope, start = exponent(without)
     fitted = np.exp(start + slope * without.t)
     line = (without.t[fitted < 3], fitted[fitted < 3])
-    parts: list[pen.Part] = [
-        pen.Curve((with_it.t[:until], with_it.distance[:until]), look.FIRST, 0.9, label="with"),
-        pen.Curve((without.t[:until], without.distance[:until]), look.SECOND, 0.9, label="without"),
-        pen.Curve(line, look.INK, 0.9, look.DASHED, label=r"$\delta_0e^{\sigma t}$"),
-    ]
-    pen.draw(axes, parts)
+    tops = zip((KOVALEVSKAYA, other(lambda1)), (look.FIRST, look.SECOND), strict=True)
+    curves = []
+    for moments, color in tops:
+        two, name = pair(moments, chi), rf"$\lambda_1={moments[0]:g}\lambda_3$"
+        curve = two.t[:until], two.distance[:until]
+        curves.append(pen.Curve(curve, color, 0.9, label=name))
+    growth = pen.Curve(line, look.INK, 0.9, look.DASHED, label=r"$\delta_0e^{\sigma t}$")
+    pen.draw(axes, [*curves, growth])
     axes.set(xlim=(0, SHOWN), ylim=(APART / 10, 10), yscale="log", xlabel=r"$\nu_3t$")
     axes.set_ylabel(r"$\delta$")
     pen.legend_above(axes, ncols=3)
