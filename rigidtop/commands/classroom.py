@@ -73,7 +73,7 @@ def write_class(folder: Path, judge: Callable[[str, str], Marking], output: Path
     unmarked = sum(sheet.marking is None for sheet in sheets)
     kinds = Counter(slip for sheet in sheets for slip in {line.slip for line in sheet.slips})
     told = ", ".join(f"{words} ({count})" for words, count in kinds.most_common())
-    count = f"{len(files)} answers{f', {unmarked} of them not marked' * bool(unmarked)}"
+    count = f"{_answers(len(files))}{f', {unmarked} of them not marked' * bool(unmarked)}"
     print(f"{count}; slips: {told or 'none that is named'}", file=sys.stderr)
     if output is not None:
         others = [Sheet(path.name, problem="neither .tex nor .md") for path in _left(paths, files)]
@@ -92,6 +92,10 @@ def _sheet(path: Path, judge: Callable[[str, str], Marking]) -> Sheet:
         return Sheet(name, source, judge(name, source))
     except RigidtopError as error:
         return Sheet(name, problem=str(error))
+
+
+def _answers(count: int) -> str:
+    return f"{count} answer{'s' * (count != 1)}"
 
 
 def _cell(said: str) -> str:
@@ -135,7 +139,7 @@ def _index(title: str, names: dict[str, Sheet], left: Sequence[Sheet]) -> str:
     from rigidtop.report.html import page
 
     passed = sum(sheet.marking is not None and sheet.marking.passed for sheet in names.values())
-    told = f"{len(names)} answers marked, {passed} passed"
+    told = f"{_answers(len(names))} marked, {passed} passed"
     heads = ("answer", "points", "passed", "wrong line", "what is said")
     whole = f"""<main class="page" id="content">
 <header class="summary"><h1>{_text(title)}, marked</h1>
