@@ -291,9 +291,9 @@ _STEPS, _PATIENCE = 30, 12
 def _moved(
     equations: Sequence[Expr], worlds: Worlds, points: Array, places: Sequence[int]
 ) -> tuple[Array | None, bool]:
-    steps = Steps(equations)
+    steps = Steps(equations, worlds.letters)
     for step in range(_STEPS):
-        at = Program(worlds.letters, points, with_slopes=True).followed(steps)
+        at = steps.at(points)
         if not np.isfinite(at.slopes).all():
             return None, False
         slope = at.slopes[:, places]
@@ -307,5 +307,5 @@ def _moved(
         largest = float((np.abs(move).max(axis=0) / reached).max())
         if largest < 1e-13 or (step > _PATIENCE and largest > 0.3):
             break
-    at = Program(worlds.letters, points).values(equations)
-    return points, bool((np.abs(at.values) <= 1e-8 * (at.sizes + 1e-12)).all())
+    here = Program(worlds.letters, points).values(equations)
+    return points, bool((np.abs(here.values) <= 1e-8 * (here.sizes + 1e-12)).all())

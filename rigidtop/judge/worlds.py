@@ -160,7 +160,7 @@ class Worlds:
 
     def _noise(self, expressions: Sequence[Expr]) -> NDArray[np.float64]:
         """By how much values change as the numbers of the worlds do within their errors."""
-        slopes = Program(self.letters, self.points, with_slopes=True).values(expressions).slopes
+        slopes = Steps(expressions, self.letters).at(self.points).slopes
         total = np.abs(slopes).sum(axis=1)
         return np.where(np.isfinite(total), _INEXACT * total, np.inf) + _TINY
 
@@ -328,7 +328,7 @@ def _solved(
     exact = np.zeros(points.shape[1], bool)
     lost = np.zeros(points.shape[1], bool)
     largest = np.maximum(1, weights)[:, None]
-    steps = Steps(equations)
+    steps = Steps(equations, letters)
     first = _STEPS  # the step at which one was found
     for step in range(_STEPS):
         left = np.flatnonzero(~exact & ~lost)
@@ -338,7 +338,7 @@ def _solved(
             break
         if step > (_PATIENCE if first == _STEPS else first + 3 * _MORE):
             break
-        at = Program(letters, points[:, left], with_slopes=True).followed(steps)
+        at = steps.at(points[:, left])
         finite = np.isfinite(at.values).all(axis=0) & np.isfinite(at.slopes).all(axis=(0, 1))
         arrived = finite & (np.abs(at.values) <= _EXACT * (at.sizes + 1e-3)).all(axis=0)
         lost[left[~finite]] = True
@@ -445,7 +445,7 @@ def rank(equations: Sequence[Expr], worlds: Worlds, by: Sequence[Symbol]) -> int
         return 0
     places = [worlds.letters.index(x) for x in by]
     try:
-        at = Program(worlds.letters, worlds.points[:, :1], with_slopes=True).values(equations)
+        at = Steps(equations, worlds.letters).at(worlds.points[:, :1])
     except UnknownFunctionError:
         return 0
     slopes = at.slopes[:, places, 0]

@@ -46,7 +46,7 @@ def numbers(expression, at):
 def test_values_and_slopes_are_those_of_sympy(expression):
     # arcosh has a value from 1 on
     at = points(1) + 2 if expression.has(sympy.acosh) else points(1)
-    made = Program(LETTERS, at, with_slopes=True).values([expression])
+    made = Steps([expression], LETTERS).at(at)
     assert made.values[0] == pytest.approx(numbers(expression, at), rel=1e-11)
     for k, letter in enumerate(LETTERS):
         slope = numbers(expression.diff(letter), at)
@@ -80,7 +80,7 @@ SUMS = st.recursive(
 @given(expression=SUMS, seed=st.integers(0, 99))
 def test_random_expressions_have_the_values_of_sympy(expression, seed):
     at = points(seed, count=1)
-    made = Program(LETTERS, at, with_slopes=True).values([expression])
+    made = Steps([expression], LETTERS).at(at)
     assert made.values[0] == pytest.approx(numbers(expression, at), rel=1e-9, abs=1e-9)
     slopes = [numbers(expression.diff(x), at)[0] for x in LETTERS]
     assert made.slopes[0, :, 0] == pytest.approx(slopes, rel=1e-9, abs=1e-9)
@@ -93,11 +93,16 @@ def test_a_difference_has_the_size_of_its_terms():
 
 
 def test_steps_have_the_values_of_what_is_looked_up():
-    expressions = [*EXPRESSIONS.values(), X, sympy.Integer(2)]
-    program = Program(LETTERS, points(1) + 2, with_slopes=True)
-    one, other = program.values(expressions), program.followed(Steps(expressions))
-    for name in ("values", "sizes", "slopes"):
-        assert np.array_equal(getattr(one, name), getattr(other, name), equal_nan=True)
+    expressions = [*EXPRESSIONS.values(), X, sympy.Integer(2), Y**sympy.pi, 2**X, X**X]
+    one = Program(LETTERS, points(1) + 2).values(expressions)
+    other = Steps(expressions, LETTERS).at(points(1) + 2)
+    assert other.values == pytest.approx(one.values, rel=1e-12)
+    assert other.sizes == pytest.approx(one.sizes, rel=1e-12)
+
+
+def test_a_power_of_zero_has_a_slope():
+    at = Steps([X**3 * Y, X * Y], (X, Y)).at(np.array([[0.0], [2.0]], complex))
+    assert at.slopes[:, :, 0].tolist() == [[0, 0], [2, 0]]
 
 
 def test_a_function_of_no_known_name_has_no_numbers():
