@@ -16,7 +16,7 @@ from rigidtop.read.macros import Macro, Macros, customary, defined
 from rigidtop.read.passages import Passage, passages
 from rigidtop.read.phrases import Cue
 from rigidtop.read.statements import statements
-from rigidtop.read.unmarked import as_tex
+from rigidtop.read.unmarked import as_tex, is_spelled
 from rigidtop.read.walk import places
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -58,7 +58,7 @@ def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -
         for passage in text
         for each in _read(passage, own, until, known, lettered)
     ]
-    read = _written_for(read)
+    read = _continued(_written_for(read))
     table = str.maketrans(_shapes(each for _, each in read))
     return [(passage, _folded(each, table)) for passage, each in read] if table else read
 
@@ -83,6 +83,51 @@ def _written_for(read: Read) -> Read:
                 continue
         made.append((passage, each))
     return made
+
+
+_LONGEST_LINK = 40
+"""So many characters of words stand at most between a formula and the display that goes on."""
+
+
+def _continued(read: Read) -> Read:
+    """A text in which "$a = b$ (as $c = d$) $= e$" says that b = e: it goes on with a chain.
+
+    What stands in brackets between comes before both.
+    """
+    made: Read = []
+    for passage, each in read:
+        chain = next((k for k in range(len(made))[::-1] if not _is_aside(made[k][0])), None)
+        if chain is not None and _goes_on(passage, each, *made[chain]):
+            asides, last = made[chain + 1 :], made[chain]
+            made[chain:] = [*asides, last]
+            match each, last[1]:
+                case Statement(sides), Statement((*_, link)):
+                    each = replace(each, sides=(link, *sides[1:]), continues=True)
+        made.append((passage, each))
+    return made
+
+
+def _goes_on(
+    passage: Passage, each: Statement | Unread, before: Passage, last: Statement | Unread
+) -> bool:
+    """Whether a formula without a left side goes on with one before it."""
+    if not (isinstance(each, Statement) and isinstance(last, Statement) and last.relations):
+        return False
+    if not isinstance(each.sides[0], n.Omitted) or each.relations[:1] not in (("=",), ("≈",)):
+        return False
+    words = passage.before.rpartition("§")[2].strip()
+    close = passage.display and len(words) <= _LONGEST_LINK and not _ENDS.search(words)
+    return passage.scope == before.scope and (close or words == "" or words[-1] == ")")
+
+
+_ENDS = re.compile(r"[.!?](?:\s|\Z)")
+_CLOSED = re.compile(r"[^()§]{0,40}\)")
+
+
+def _is_aside(passage: Passage) -> bool:
+    """Whether a formula stands in brackets, among the words of a sentence."""
+    opened = passage.before.rfind("(") > passage.before.rfind(")")
+    return opened and bool(_CLOSED.match(passage.behind))
 
 
 def _excepted(each: Statement | Unread) -> Statement | Unread:
@@ -152,7 +197,7 @@ def _read(
     if time.process_time() > until:
         return (Unread(0, LATE),)
     text = _whole(passage)
-    if passage.display or "\\" in passage.text:
+    if "\\" in passage.text or (passage.display and not is_spelled(passage.text)):
         return _statements(text, macros, functions, lettered)
     text, before = as_tex(text)
     read = _statements(text, macros, functions, lettered)

@@ -12,7 +12,17 @@ from rigidtop.read.shapes import head_of, parted
 from rigidtop.read.tex import UnreadError
 from rigidtop.read.tokens import Token, written
 from rigidtop.read.vocabulary import MATRICES
-from rigidtop.tree.nodes import Absolute, Average, Braced, Group, Matrix, Node, Omitted, Tuple
+from rigidtop.tree.nodes import (
+    Absolute,
+    Average,
+    Braced,
+    Group,
+    Matrix,
+    Node,
+    Number,
+    Omitted,
+    Tuple,
+)
 
 
 def group(grammar: Grammar) -> Node:
@@ -90,11 +100,22 @@ def matrix(grammar: Grammar) -> Node:
     ]
     if not rows:
         raise UnreadError("a matrix with nothing in it", token.position)
-    return Matrix(tuple(rows), MATRICES[token.text] or "(")
+    return Matrix(_filled(rows), MATRICES[token.text] or "(")
 
 
-def _cell(grammar: Grammar, items: Sequence[Token]) -> Node:
+def _cell(grammar: Grammar, items: Sequence[Token]) -> Node | None:
     shown = [each for each in items if each.kind != "quad"]
     while shown and shown[-1].kind in ("comma", "stop"):
         shown.pop()
-    return grammar.node_of(shown) if shown else Omitted()
+    return grammar.node_of(shown) if shown else None
+
+
+def _filled(rows: Sequence[Sequence[Node | None]]) -> tuple[tuple[Node, ...], ...]:
+    """Rows with zeros where a square matrix that has its diagonal is left blank."""
+    width = len(rows[0])
+    square = width > 1 and all(len(row) in (width, k + 1) for k, row in enumerate(rows))
+    square = square and len(rows) == width
+    if not square or any(row[k] is None for k, row in enumerate(rows)):
+        return tuple(tuple(Omitted() if x is None else x for x in row) for row in rows)
+    longer = [(*row, *[None] * (width - len(row))) for row in rows]
+    return tuple(tuple(Number("0") if x is None else x for x in row) for row in longer)

@@ -103,13 +103,27 @@ def _below(grammar: Grammar, sign: str) -> list[Node]:
     grammar.take()
     while is_operator(grammar.peek(), sign) and len(by) < 9:
         grammar.take()
-        if not grammar.is_named():
+        variable = _variable(grammar)
+        if variable is None:
             break
-        variable = differential_of(grammar)
         by += [variable] * grammar.exponent()
     if not by:
         grammar.at = start
     return by
+
+
+def _variable(grammar: Grammar) -> Node | None:
+    """By what is differentiated, be it in brackets, as in dL/d(θ̇)."""
+    if grammar.is_named():
+        return differential_of(grammar)
+    if grammar.peek().kind != "open" or grammar.at not in grammar.partners:
+        return None
+    start = grammar.at
+    variable = ungrouped(grammar.primary([]))
+    if isinstance(variable, (Letter, Rate)):
+        return variable
+    grammar.at = start
+    return None
 
 
 def differential_of(grammar: Grammar) -> Node:

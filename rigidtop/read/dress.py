@@ -9,7 +9,7 @@ from rigidtop.read.tex import commands
 
 BOLD: Final = commands(
     "mathbf boldsymbol bm vec pmb bold overrightarrow underline overrightharpoon mathbfit vb va "
-    "mathbold bf"
+    "mathbold bf overleftrightarrow"
 )
 DOTS: Final = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3, r"\ddddot": 4}
 MARKS: Final = {

@@ -191,9 +191,9 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"\b(?:wrong|false|no longer true|untrue|incorrect|a mistake|falsch|faux)(?: (?:that"
         r"|to \w+(?: that)?)"
         r"|,? dass| que)?",
-        r"\b(?:(?:show|prove|verify)\b|is it true|why is|zeigen? (?:Sie|wir)?|beweisen?(?: Sie)?"
-        r"|montre[rz]"
-        r"|démontre[rz]|est-ce)(?: that|,? dass| que)?[^.]{0,60}",
+        r"(?:(?<!can )(?<!to )(?<!easily )(?<!may )(?<!will )(?<!could )\b(?:show|prove|verify)\b"
+        r"|\b(?:is it true|why is|zeigen (?:Sie|wir)|zeige(?=,? da(?:ss|ß))|beweisen?(?: Sie)?"
+        r"|d?é?montre[rz]|est-ce))(?: that|,? dass| que)?[^.]{0,60}",
     ),
     Cue.DIVISOR: (
         r"\b(?:divid(?:e|es|ed|ing)|teil(?:en|t)|dividier(?:en|t)|divis(?:e|ons|ant))"

@@ -111,7 +111,11 @@ def _read(text: str, macros: Macros, reading: Reading) -> Read:
         return (Unread(error.position, error.reason),)
     if len(items) <= 3 and {x.kind for x in items if x.text not in _MARKS} <= _EMPTY:
         return ()
-    return tuple(_Text(joined(items), reading).all())
+    found = tuple(_Text(joined(items), reading).all())
+    match found:
+        case (Unread(position),) if position > items[-1].position and not _relates(items):
+            return ()  # an operator, d/dt, that is called by its sign
+    return found
 
 
 def joined(items: Sequence[Token]) -> list[Token]:
@@ -150,7 +154,7 @@ def _opened(items: Sequence[Token]) -> list[Token]:
     """Tokens without braces around what is a statement by itself, be it bold."""
     found: list[Token] = []
     for token in items:
-        states = token.kind == "group" and any(x.kind == "relation" for x in token.group)
+        states = token.kind == "group" and _relates(token.group)
         last = found[-1] if found else None
         if states and last is not None and last.text in BOLD:
             bold = found.pop()
@@ -161,6 +165,12 @@ def _opened(items: Sequence[Token]) -> list[Token]:
         else:
             found.append(token)
     return found
+
+
+def _relates(items: Sequence[Token]) -> bool:
+    """Whether there is a relation among tokens, and not only the index of I_⊥."""
+    signs = [i for i, token in enumerate(items) if token.kind == "relation"]
+    return any(not i or items[i - 1].text not in ("_", "^") for i in signs)
 
 
 def _closes(items: Sequence[Token], start: int) -> bool:
@@ -244,8 +254,8 @@ class _Text(Grammar):
             self.branches(None, token)
         elif token.kind == "open" and self.related.get(self.at) and self.at in self.partners:
             self.bracketed()
-        elif token.text == "→" and self.found:
-            self.take()
+        elif token.text == "→" and (self.found or _relates(self.items[self.at + 1 :])):
+            self.take()  # hence
         else:
             self.statement()
 

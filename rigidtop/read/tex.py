@@ -167,7 +167,7 @@ NOTHING = (
 )
 """What says nothing in a formula: spacing, and sizes of brackets."""
 BOLD = commands("mathbf boldsymbol bm vec bf pmb bold overrightarrow underline overrightharpoon")
-BOLD |= commands("mathbfit boldmath mathbold bfseries")
+BOLD |= commands("overleftrightarrow mathbfit boldmath mathbold bfseries")
 UPRIGHT = commands("mathrm mathit mathnormal mathsf rm it")
 FONTS = BOLD | UPRIGHT
 SIZES = commands("tiny scriptsize footnotesize small normalsize large displaystyle textstyle")

@@ -73,6 +73,11 @@ def as_tex(text: str) -> tuple[str, Callable[[int], int]]:
     return "".join((*parts, text[at:])), partial(_before, tuple(starts))
 
 
+def is_spelled(text: str) -> bool:
+    """Whether a letter stands in it as a word that is nothing else: phi, but not mu or pi."""
+    return any(len(match["greek"] or "") > 2 for match in _WORD.finditer(text))
+
+
 def _before(starts: tuple[tuple[int, int], ...], position: int) -> int:
     """Where a position in changed text was, each piece having begun at one place and another."""
     new, old = max((x for x in starts if x[0] <= position), default=(0, 0))
