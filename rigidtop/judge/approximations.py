@@ -88,11 +88,13 @@ def tending(question: Question) -> Judgement:
             question.at.inline and not limits and left not in context.definitions
         ):
             return Outcome(PREMISE, "a limit"), _approaching(question, left, right)
-    if not limits:
-        raise UnclearError("it is not said for what it tends there")
+    if not limits and isinstance(left, n.Number) and isinstance(right, n.Number):
+        return Outcome(PREMISE, "indices that are exchanged"), context
     judgement = judged(question)
     if judgement[0].passed:
         return judgement
+    if not limits:
+        raise UnclearError("it is not said for what it tends there")
     tries = map(nearly_equal, map(_beside_one, _written_out(question)))
     return next(filter(None, tries), judgement)
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import inf
 
-from sympy import Add
+from sympy import Abs, Add, Expr
 
 from rigidtop.judge import (
     approximations,
@@ -199,12 +199,14 @@ def _excused(question: Question) -> Judgement | None:
 
 
 def _but_for_a_sign(question: Question) -> Judgement | None:
-    """That it holds where a letter has the sign of the root: cos α = √(1 − sin² α)."""
+    """That it holds where a letter has the sign of a root, or of |x|: cos α = √(1 − sin² α)."""
     sides = (question.left, question.right)
-    bare = [x for x in sides if not any(isinstance(y, n.Root) for y in n.walked(x))]
-    if len(question.both) != 1 or len(bare) != 1 or bare[0] == ZERO:
+    if len(question.both) != 1:
         return None
     [(left, right)] = question.both
+    bare = [x for x, value in zip(sides, (left, right), strict=True) if not _has_root(x, value)]
+    if len(bare) != 1 or bare[0] == ZERO:
+        return None
     signs = question.worlds.signs([left * right])
     if signs is None or not (signs > 0).any() or not question.worlds.holds([(left**2, right**2)]):
         return None
@@ -218,6 +220,11 @@ def _but_for_a_sign(question: Question) -> Judgement | None:
     where = f"{latex(bare[0])} {relation} 0"
     words = f"where {in_words(bare[0])} is not {opposite}"
     return replace(outcome, verdict=ASSUMING, why=words, conditions=(where,)), context
+
+
+def _has_root(side: Node, value: Expr) -> bool:
+    """Whether a side is never negative by how it is written, or by what it stands for."""
+    return value.has(Abs) or any(isinstance(x, n.Root) for x in n.walked(side))
 
 
 def _canonical(question: Question) -> Judgement | None:

@@ -160,9 +160,12 @@ def _tends(
     left: Expr, right: Expr, equations: Sequence[Expr], worlds: Worlds, scaling: Scaling
 ) -> bool:
     sides = left, right, equations, worlds, scaling
-    _, last = _last(lambda step: _gap(*sides, step))  # it decides most often
+    step, last = _last(lambda step: _gap(*sides, step))  # it decides most often
     if last is None or not (last.share < LITTLE).all():
         return False
+    holds, held = (_settled(tuple(equations), worlds, scaling, k)[1] for k in (step, step - 1))
+    if holds and not held:
+        return False  # the numbers have jumped to where something else is small
     first = _gap(*sides, 0)
     if first is None or not np.isfinite(first.share).all():
         return False

@@ -13,6 +13,7 @@ from rigidtop.judge.context import PREMISE, SETTING, START, Constraint, Context,
 from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import residuals
 from rigidtop.judge.letters import CLOCK
+from rigidtop.judge.program import Program
 from rigidtop.judge.question import Pair, Path, Premises, Question
 from rigidtop.judge.residual import Residual
 from rigidtop.judge.sides import ZERO, letters_of, named, speaks_of
@@ -249,7 +250,8 @@ def _is_solvable(
 ) -> bool:
     """Whether equations have a solution in some letters, the others having numbers."""
     here = [x for x in (_without_rounding(gap.xreplace(numbers)) for gap in gaps) if x != 0]
-    if all(abs(gap.subs(dict.fromkeys(free, 0)).evalf()) < _NOTHING for gap in here):
+    at_zero = Program(free, np.zeros((len(free), 1), complex)).values(here).values
+    if (np.abs(at_zero) < _NOTHING).all():
         return False  # all others may be zero, which says nothing
     found = worlds.found(here, free, enough=1)
     return bool(found.count) and bool((np.abs(found.points.imag) < _NOTHING).all())

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -22,13 +22,15 @@ from rigidtop.judge.laws import LAGRANGIANS
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import read_text
-from rigidtop.judge.sides import NEARLY
+from rigidtop.judge.sides import NEARLY, ZERO
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import in_time
-from rigidtop.mark.arrival import equalities, holds_on, is_reached, is_said, is_trivial
+from rigidtop.judge.vocabulary import Meant
+from rigidtop.mark.arrival import equalities, head, holds_on, is_reached, is_said, is_trivial
 from rigidtop.mark.assertions import asserted
+from rigidtop.mark.facts import GIVEN
 from rigidtop.mark.marking import Mark, Marked, Marking
-from rigidtop.mark.task import Branch, Task, Together
+from rigidtop.mark.task import Branch, Task, Together, letters
 from rigidtop.read.walk import places
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -56,6 +58,8 @@ def mark(
     if len(source) > LONGEST:
         raise RigidtopError(f"an answer has no more than {LONGEST} characters, not {len(source)}")
     until = time.process_time() + altogether
+    source = _CODE.sub(lambda match: f" {match[1]} ", source)
+    task = _in_names_of(source, task)
     answer = _Answer.begun(source, task)
     lines: list[Marked] = []
     line_of = places(source)
@@ -75,6 +79,10 @@ def mark(
         marked = _marked(at, each, outcome, answer, wrong, task.words[place])
         lines.append(replace(marked, position=position))
     return _marking(tuple(sorted(lines, key=lambda x: x.line)), answer, task, until)
+
+
+_CODE = re.compile(r"(?<![`\\])`([^`'\n]+)`(?!`)")
+"""A formula that is marked as code, as some write plain text."""
 
 
 @dataclass(frozen=True)
@@ -150,8 +158,10 @@ class _Answer:
             outcome = named  # what letters are called says already what tends to what
         if "≠" in each.relations:
             outcome = next((o for o, _ in judgements if o.verdict == FALSE), outcome)
-        if outcome.verdict == FALSE and not outcome.slip and not self.believed:
-            searched = judged(self.contexts, self.judge)
+        unclear = outcome.verdict == FALSE and not outcome.slip
+        unclear |= nearly and outcome.verdict == UNDECIDED and each.sides[-1] != ZERO
+        if unclear and not self.believed:
+            searched = judged((*self.contexts, self.names), self.judge)
             outcome = next((o for o, _ in searched if o.slip), outcome)
         if outcome.verdict == FALSE and self._holds_then(each, at, limits):
             outcome = Outcome(UNDECIDED, "it holds at the moment of which the line before speaks")
@@ -280,6 +290,31 @@ def _best(outcomes: Sequence[Outcome], contexts: Sequence[Context]) -> int:
 def _is_of_numbers(each: Statement) -> bool:
     """Whether no vector stands in a statement."""
     return not any(x.bold for side in each.sides for x in n.letters(side))
+
+
+def _in_names_of(source: str, task: Task) -> Task:
+    """A task in which functions that an answer gives itself, as U(θ), are not those of the pages.
+
+    What each goal speaks of keeps its name.
+    """
+    read, _ = read_text(source, plain=True)
+    heads = (each.sides[0] for _, each in read if isinstance(each, Statement) and each.relations)
+    named = {head(side) for side in heads if isinstance(side, n.Call)}
+    spoken = [frozenset().union(*map(letters, goal)) for goal in task.goals]
+    named -= frozenset.intersection(*spoken)
+    contexts = tuple(_without_names(context, named) for context in task.contexts)
+    return replace(task, contexts=contexts, names=_without_names(task.names, named))
+
+
+def _without_names(context: Context, named: Collection[Node]) -> Context:
+    dropped = {
+        letter
+        for letter, each in context.definitions.items()
+        if letter in named and each.number == GIVEN and not isinstance(each.node, Meant)
+    }
+    kept = {x: each for x, each in context.definitions.items() if x not in dropped}
+    known = replace(context, definitions=kept, letters=context.letters - dropped)
+    return replace(known, given=context.given - dropped)
 
 
 def _with_habits(context: Context, own: Habits) -> Context:

@@ -36,7 +36,8 @@ MOST_NAMES = 8
 def equalities(sides: Sequence[Node], each: Statement) -> list[Statement]:
     """What a chain that ends with a statement says, two sides at a time."""
     both = list(combinations(sides[-MOST_SIDES:], 2))
-    found = [replace(each, sides=pair, relations=each.relations[-1:]) for pair in both]
+    relation = "≈" if "→" in each.relations else each.relations[-1]
+    found = [replace(each, sides=pair, relations=(relation,)) for pair in both]
     return [*found, *(with_root for x in found for with_root in _roots(x))]
 
 

@@ -17,6 +17,7 @@ from rigidtop.judge.reading import Read, read_text
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import declared_letters, situation
 from rigidtop.mark.arrival import head
+from rigidtop.mark.facts import TENSOR
 from rigidtop.mark.task import ALWAYS, Task, letters
 from rigidtop.read.document import problems
 from rigidtop.read.passages import Passage
@@ -149,8 +150,10 @@ def _explained_first(read: Read, facts: Collection[Letter]) -> list[int]:
         first = next(uses, place) if name is not None else place
         if first < place and _explained(read[order[first]][1], facts) != name:
             before, use = read[order[first]]
-            # What comes of one equation for one letter may be its solution.
-            together = passage.start == before.start and len(_letters(use) - {*facts}) > 1
+            # What comes of one equation for one letter may be its solution; U(θ) is a name.
+            assert isinstance(each, Statement)
+            alone = isinstance(each.sides[0], Letter) and len(_letters(use) - {*facts}) < 2
+            together = passage.start == before.start and not alone
             is_here = _HERE.search(passage.before[-9:]) is not None
             if together or is_here or Cue.DEFINED in passage.cues or said == passage.sentence:
                 place, said = first, passage.sentence
@@ -165,6 +168,9 @@ def _explained(each: Statement | Unread, facts: Collection[Letter]) -> Letter | 
     if not isinstance(each, Statement) or each.relations[:1] not in (("=",), ("≡",)):
         return None
     left, right = each.sides[:2]
+    match left:  # U(θ) names U
+        case n.Call(Letter() as function, places) if {*places} <= {*facts}:
+            left = function
     if not isinstance(left, Letter) or left in facts or n.letters(right) - {*facts}:
         return None
     return left
@@ -183,10 +189,33 @@ def _only_there(k: int, read: Read, facts: Collection[Letter]) -> str:
     return ""
 
 
+_VERTICAL = Letter("z", mark="hat", bold=True)
+_UPWARDS = (Letter("e", "z", "hat", bold=True), Letter("k", mark="hat", bold=True))
+"""Other names of the unit vector that points upwards."""
+_FUNCTION, _POTENTIAL = Letter("ℒ"), Letter("V")
+
+
+def _is_difference_of_energies(side: Node) -> bool:
+    """Whether it is T − V, or T − U."""
+    match side:
+        case n.Sum((Letter("T"), n.Negative(Letter("U" | "V")))):
+            return True
+    return False
+
+
+_TENSORS = ("I", "J", "Θ")
+"""Names of the tensor of inertia, where it stands before ω."""
+
+
 def _in_letters_of(each: Statement, read: Read, facts: Sequence[Context]) -> Statement:
     """The statement in the letters of the facts: e₃ for the vector, ℒ for L with a derivative."""
     of_facts = frozenset().union(*(context.letters for context in facts))
     written = {head(x.sides[0]) for _, x in read if isinstance(x, Statement)}
+    lagrangians = {
+        x.sides[0]
+        for _, x in read
+        if isinstance(x, Statement) and any(map(_is_difference_of_energies, x.sides[1:]))
+    }
     differentiated = {
         n.ungrouped(x.of)
         for _, other in read
@@ -197,11 +226,20 @@ def _in_letters_of(each: Statement, read: Read, facts: Sequence[Context]) -> Sta
     }
 
     def change(node: Node) -> Node:
+        match node:
+            case n.Product((Letter() as tensor, Letter("ω", bold=True) as omega)) | n.Dot(
+                Letter() as tensor, Letter("ω", bold=True) as omega
+            ) if tensor.base in _TENSORS and not tensor.sub and tensor not in of_facts:
+                return n.Product((TENSOR, omega))
         if not isinstance(node, Letter):
             return node
-        if node == Letter("L") and node in differentiated and Letter("ℒ") in of_facts:
-            return Letter("ℒ")
+        if node == Letter("L") and node in differentiated | lagrangians and _FUNCTION in of_facts:
+            return _FUNCTION
+        if node == Letter("U") and node not in of_facts | written and _POTENTIAL in of_facts:
+            return _POTENTIAL
         if node not in of_facts and node not in written:
+            if replace(node, bold=True, mark="hat") in _UPWARDS and _VERTICAL in of_facts:
+                return _VERTICAL
             for mark in (node.mark, node.mark.replace("hat", "")):
                 bold = replace(node, bold=True, mark=mark)
                 if bold in of_facts:

@@ -22,6 +22,9 @@ from rigidtop.tree.nodes import Letter
 GIVEN = -1
 """The number of a statement that is given."""
 
+TENSOR = Letter("I", bold=True)
+"""The tensor of inertia."""
+
 _ORDERS = {"dot": 1, "ddot": 2}
 _ANGLES = (s.phi, s.theta, s.psi)
 _RATES = (s.phidot, s.thetadot, s.psidot)
@@ -55,7 +58,7 @@ def context(model: Model, declared: frozenset[Letter] = frozenset()) -> Context:
     moving = given.moving()
     return Context(
         Habits(moving=moving, lengths=given.lengths()),
-        definitions=given.definitions,
+        definitions={**given.definitions, **given.tensor()},
         constraints=tuple(given.constraints),
         letters=given.letters,
         given=given.letters,
@@ -156,6 +159,15 @@ class _Given:
         """Letters that stand for the length of a vector."""
         vectors = [x for x in self.definitions if x.bold and not x.sub and not x.mark]
         return frozenset(replace(x, bold=False) for x in vectors) - {*self.definitions}
+
+    def tensor(self) -> dict[Letter, Definition]:
+        """The tensor of inertia, where axes are known in which it is diagonal."""
+        if self.in_space is None:
+            return {}
+        second = s.lambda1 if self.axes == "primed" else s.lambda2
+        moments = sympy.diag(*(number(x) for x in (s.lambda1, second, s.lambda3)))
+        turned = ImmutableMatrix(self.in_space * moments * self.in_space.T)
+        return {TENSOR: Definition(Meant(turned), GIVEN)}
 
     def bases(self) -> tuple[MatrixBase, ...]:
         """The axes along which components may be meant: those of the model first."""

@@ -130,7 +130,7 @@ def task(start: str, goal: str, subject: Subject | None = None) -> Task:
         raise RigidtopError(f"{refused}: no model of the collection knows what {goal} is about")
     contexts = contexts or (_from_pages(start, goal, subject),)
     if not _is_numbered(goal, pages):
-        goals = _otherwise(goals, given, contexts[0])
+        goals = _otherwise(goals, given, contexts[0], _calls(goal, pages))
     # What letters are called holds for whatever they are made of.
     known = frozenset().union(*(context(model).given for model in used))
     own = [x for x in called if x.sides[0] not in known]
@@ -188,7 +188,15 @@ def _results(goal: str, pages: Lecture) -> tuple[str, ...]:
     }
     results = [line for line in derived if line.id not in used]
     results += [line for line in derived if _is_exact(line.id, results, pages)]
+    telling = [line for line in results if not _nearly_vanishes(line.id, pages)]
+    results = telling or results
     return tuple(line.id for line in numbered or results)
+
+
+def _nearly_vanishes(id: str, pages: Lecture) -> bool:
+    """Whether a line says no more than what is nearly zero."""
+    together = stated(id, pages)
+    return all(x.relations == ("≈",) and x.sides[-1] == n.Number("0") for x in together)
 
 
 def _is_numbered(goal: str, pages: Lecture) -> bool:
@@ -221,17 +229,39 @@ def _called(pages: Lecture) -> frozenset[Letter]:
     return frozenset().union(*map(n.letters, sides))
 
 
+def _calls(goal: str, pages: Lecture) -> tuple[Statement, ...]:
+    """What pages call something on the way to a goal."""
+    wanted = {x for id in pages.names[goal] for x in (id, *pages.above(id))}
+    called = (pages.lines[id] for id in pages.lines if id in wanted)
+    ids = [line.id for line in called if line.move is not None and line.move.verb == "call"]
+    return tuple(x for id in ids for x in stated(id, pages) if x.relations == ("=",))
+
+
 def _otherwise(
-    goals: tuple[Together, ...], given: Together, known: Context
+    goals: tuple[Together, ...], given: Together, known: Context, calls: Sequence[Statement]
 ) -> tuple[Together, ...]:
-    """Goals with what else says the same in words: what stays as it began is constant, and an axis
-    may have another number where the facts are the same for all."""
-    kept = tuple(map(_kept, goals))
+    """Goals with what else says the same in words: what stays as it began is constant, of a chain
+    the ends are enough, and an axis may have another number where the facts are the same for all.
+    """
+    kept = (*map(_kept, goals), *map(_ends, goals))
     turned = _turned(given)
     if turned != given and _holds(turned, known):
-        once = tuple(map(_turned, kept))
+        once = tuple(_turned(_written_out(each, calls)) for each in kept)
         kept = (*kept, *once, *map(_turned, once))
     return tuple(dict.fromkeys((*goals, *kept, *filter(None, map(_as_vector, kept)))))
+
+
+def _written_out(together: Together, calls: Sequence[Statement]) -> Together:
+    """Statements with what the pages call something in the place of its name."""
+    values = {x.sides[0]: n.Group(x.sides[1]) for x in calls}
+
+    def written(each: Statement) -> Statement:
+        if each.sides[0] in values:
+            return each
+        put = (n.mapped(side, lambda node: values.get(node, node)) for side in each.sides)
+        return replace(each, sides=tuple(put))
+
+    return tuple(map(written, together))
 
 
 def _kept(together: Together) -> Together:
@@ -257,6 +287,16 @@ def _as_vector(together: Together) -> Together:
         return ()
     vector = replace(first, sub="", bold=True)
     return (Statement((vector, n.Constant()), ("=",), 0),)
+
+
+def _ends(together: Together) -> Together:
+    """Statements of which chains say no more than that their ends are equal."""
+    return tuple(
+        replace(x, sides=(x.sides[0], x.sides[-1]), relations=("=",))
+        if {*x.relations} == {"="}
+        else x
+        for x in together
+    )
 
 
 _NEXT = str.maketrans("123", "231")

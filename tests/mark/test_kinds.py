@@ -70,6 +70,70 @@ RIGHT = {
         r"$x=\frac{4\lambda_1MgR\cos\theta}{\lambda_3^2\omega_3^2}$, in the root. Hence "
         r"$$\Omega_-\approx\frac{MgR}{\lambda_3\omega_3}$$",
     ),
+    "the tensor of inertia by its letter, blank off the diagonal": (
+        "3.38 3.39",
+        r"$\vec L=\mathbf I\,\vec\omega$ with $$\mathbf I=\begin{pmatrix}\lambda_1&&\\&\lambda_1&\\"
+        r"&&\lambda_3\end{pmatrix},\quad \vec L=\begin{pmatrix}\lambda_1\omega_0\cos\Omega_bt\\"
+        r"-\lambda_1\omega_0\sin\Omega_bt\\\lambda_3\omega_3\end{pmatrix}$$",
+    ),
+    "a chain that goes on behind a remark in brackets": (
+        "3.37 omega-oscillator",
+        r"$\frac{d}{dt}$ of the first one gives $\ddot\omega_1=\Omega_b\dot\omega_2$ "
+        r"(as $\dot\Omega_b=0$) $=-\Omega_b^2\omega_1$, likewise $\ddot"
+        r"\omega_2=-\Omega_b^2\omega_2$.",
+    ),
+    "hence, by an arrow": (
+        "3.41 3.42",
+        r"$\hat z=\cos\theta\,\vec e_3-\sin\theta\,\vec e_1{}'$ $\rightarrow\vec\omega=-\dot\phi"
+        r"\sin\theta\,\vec e_1{}'+\dot\theta\,\vec e_2{}'+(\dot\phi\cos\theta+\dot\psi)\vec e_3$",
+    ),
+    "an index that is a sign, below a fraction": (
+        "3.36 3.37",
+        r"$\lambda_1=\lambda_2=I_\perp$, $\lambda_3=I_\parallel$, "
+        r"$\Omega_b=\frac{I_\perp-I_\parallel}{I_\perp}\omega_3$ and "
+        r"$\dot\omega_1=\Omega_b\omega_2$, $\dot\omega_2=-\Omega_b\omega_1$.",
+    ),
+    "a period that the pages have for one sign": (
+        "3.36 3.40",
+        r"$\Omega_b=\frac{\lambda_1-\lambda_3}{\lambda_1}\omega_3$, $\tau_b=2\pi/\Omega_b$.",
+    ),
+    "L and U for the Lagrangian and the potential": (
+        "3.44 3.53",
+        r"$$L=T-U=\tfrac12\lambda_1(\dot\theta^2+\dot\phi^2\sin^2\theta)"
+        r"+\tfrac12\lambda_3(\dot\psi+\dot\phi\cos\theta)^2-MgR\cos\theta$$",
+    ),
+    "an effective potential of the answer's own, named after its use": (
+        "3.53 3.57",
+        r"$$E=\frac12\lambda_1\dot\theta^2+U(\theta),\quad U(\theta)=\frac{(p_\phi-p_\psi\cos"
+        r"\theta)^2}{2\lambda_1\sin^2\theta}+MgR\cos\theta+\frac{p_\psi^2}{2\lambda_3}$$ Steady: "
+        r"$0=\frac{dU}{d\theta}$, so $$\lambda_1\cos\theta\,\Omega^2-\lambda_3"
+        r"\omega_3\Omega+MgR=0$$",
+    ),
+    "a limit of what is said to be much smaller": (
+        "3.57 slow-agrees",
+        r"$\Omega_-=2MgR/\left(\lambda_3\omega_3+\sqrt{\lambda_3^2\omega_3^2-4"
+        r"\lambda_1MgR\cos\theta}"
+        r"\right)$."
+        r" Fast top: $4\lambda_1MgR\cos\theta\ll\lambda_3^2\omega_3^2$, and "
+        r"$$\Omega_-\to\frac{MgR}{\lambda_3\omega_3}$$",
+    ),
+    "axes by their exchange, and a subscript z": (
+        "3.50 3.51",
+        r"$$\dot{\vec e}_3=\frac{MgR}{\lambda_3\omega_3}\,\hat e_z\times\vec e_3$$",
+    ),
+    "code for a formula in plain text": (
+        "3.42 3.43",
+        "As `L_k = lambda_k omega_k`, $\\vec L=-\\lambda_1\\dot\\phi\\sin\\theta\\,\\vec e_1'"
+        "+\\lambda_1\\dot\\theta\\,\\vec e_2'+\\lambda_3(\\dot\\psi+\\dot"
+        "\\phi\\cos\\theta)\\vec e_3$.",
+    ),
+    "a motion that is tried, with its time": (
+        "3.37 3.38",
+        r"Try $\omega_1(t)=A\cos(\Omega_bt)+B\sin(\Omega_bt)$. Then "
+        r"$\omega_2=\frac1{\Omega_b}\dot\omega_1=-A\sin(\Omega_bt)+B\cos(\Omega_bt)$. With "
+        r"$\omega_2(0)=0$: $B=0$ and $A=\omega_0$, so $\omega_1=\omega_0\cos(\Omega_bt)$, "
+        r"$\omega_2=-\omega_0\sin(\Omega_bt)$, $\omega_3=$ const.",
+    ),
 }
 
 
@@ -164,7 +228,8 @@ def test_what_is_much_smaller_is_small_together(sign, right):
     [
         (
             "3.53 3.55",
-            r"$$p_\phi=\lambda_1\dot\phi\sin\theta+\lambda_3(\dot\psi+\dot\phi\cos\theta)\cos\theta$$",
+            r"$$p_\phi=\lambda_1\dot\phi\sin\theta+\lambda_3(\dot\psi+\dot"
+            r"\phi\cos\theta)\cos\theta$$",
             "sin² θ in place of sin θ",
         ),
         (
