@@ -13,6 +13,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
+import sympy
 from sympy import Expr, Integer, MatrixBase, Symbol
 
 from rigidtop.proof import bounds, decide, units
@@ -161,17 +162,24 @@ def _domain(line: Line, conditions: Sequence[Condition], letters: Letters) -> tu
 def _each_needed(
     equations: Sequence[Equation], move: Move, performed: Performed, letters: Letters
 ) -> None:
-    """Raises RefusedError where a line is arrived at without one of its conditions as well."""
-    for k, condition in enumerate(move.where):
+    """Raises RefusedError where a line is arrived at without one of its conditions as well.
+
+    Of u > 0 and v > 0 for the logarithm of uv either may be said alone: then both may.
+    """
+
+    def is_needed(*conditions: Condition) -> bool:
         try:
-            less = replace(move, where=(*move.where[:k], *move.where[k + 1 :]))
+            less = replace(move, where=tuple(x for x in move.where if x not in conditions))
             made = arrive(equations, less, letters)
         except RefusedError:
-            continue
+            return True
         # What the move asks for all the same, as a division does, may be said.
-        is_asked = condition.expression in {c.expression for c in made.conditions}
-        if not is_asked and set(made.conditions) <= set(performed.conditions):
-            raise RefusedError("{} is a condition without need", condition.expression)
+        is_asked = {x.expression for x in conditions} <= {c.expression for c in made.conditions}
+        return is_asked or not set(made.conditions) <= set(performed.conditions)
+
+    idle = [x for x in move.where if not is_needed(x)]
+    if idle and not (len(idle) > 1 and is_needed(*idle)):
+        raise RefusedError("{} is a condition without need", idle[0].expression)
 
 
 def define(line: Line, letters: Letters) -> Symbol:
@@ -361,6 +369,9 @@ def _against_conditions(
     if any(flattened(value)[0].is_nonpositive for value in positive) or any(
         flattened(value)[0].is_negative for value in weak
     ):
+        return _AGAINST
+    sums = (flattened(one + other)[0] for one in positive for other in (*positive, *weak))
+    if any(sympy.expand(each).is_nonpositive for each in sums):  # x > a and x < a
         return _AGAINST
     for condition in conditions:
         if condition.relation in ("≠", ">") and {*values} & {*atoms_of(condition.expression)}:

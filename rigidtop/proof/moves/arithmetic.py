@@ -33,6 +33,7 @@ from rigidtop.proof.moves.pairs import (
     said_pairs,
     scalars,
 )
+from rigidtop.proof.moves.signs import without_bars
 from rigidtop.proof.values import Value, Vector, flattened, vanishes
 
 
@@ -192,8 +193,19 @@ def rewrite(move: Move, algebra: Algebra) -> Performed:
     if len(move.of) > 1 and any(known.order is not None for known in move.of):
         raise RefusedError("what is approximate is rewritten by itself")
     pairs = tuple(pair for known in move.of for pair in all_pairs(known, algebra))
+    if move.where:
+        pairs = tuple(_without_bars(pair, move.where) for pair in pairs)
     scope = max((known.scope for known in move.of), default=Scope.IDENTITY)
     return Performed(pairs, scope, order=the_one(move).order if len(move.of) == 1 else None)
+
+
+def _without_bars(pair: Pair, conditions: Sequence[Condition]) -> Pair:
+    """A pair of which conditions say whether |x| is x or −x."""
+
+    def bare(side: Value) -> Value:
+        return without_bars(side, conditions) if isinstance(side, Expr) and side.has(Abs) else side
+
+    return replace(pair, left=bare(pair.left), right=bare(pair.right))
 
 
 def exchange(move: Move, algebra: Algebra) -> Performed:

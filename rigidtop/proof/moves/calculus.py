@@ -85,7 +85,8 @@ def _may_differentiate(known: Known, by: Expr, algebra: Algebra) -> None:
             by,
         )
     small = () if known.order is None else known.order.letters
-    for x in {*small, *(x for e in known.equations for x in symbols_of(e))}:
+    given = {e.sides[0] for e in known.equations}  # what a line gives, it says what it is made of
+    for x in {*small, *(x for e in known.equations for x in symbols_of(e))} - given:
         if by in algebra.letters.numbers & algebra.letters.made_of(x):
             raise RefusedError("{} is defined by {}: put its definition in first", x, by)
 

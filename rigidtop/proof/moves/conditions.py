@@ -132,7 +132,17 @@ def never_vanishes(expression: Expr, conditions: Sequence[Condition]) -> bool:
         ):
             return False
     roots = {r: Dummy(nonnegative=True) for r in expression.atoms(Pow) if r.exp == Rational(1, 2)}
-    return nonzero(expression.xreplace(roots), conditions)
+    return nonzero(expression.xreplace(roots), conditions) or _has_no_root(flat, relations)
+
+
+def _has_no_root(flat: Expr, relations: Sequence[Relational]) -> bool:
+    """Whether the discriminant of an expression that is quadratic in a letter is negative."""
+    for x in sorted(flat.free_symbols, key=str):
+        if flat.is_polynomial(x) and sympy.degree(flat, x) == 2:
+            a, b, c = sympy.Poly(flat, x).all_coeffs()
+            if bounds.positive(sympy.expand(4 * a * c - b**2), relations):
+                return True
+    return False
 
 
 def never_positive(expression: Expr, conditions: Sequence[Condition]) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import islice
 from typing import Any
@@ -27,7 +27,7 @@ from rigidtop.proof.moves.move import (
     the_one,
 )
 from rigidtop.proof.moves.pairs import put_in, said_pairs, scalars
-from rigidtop.proof.values import Value, Vector, components, flattened, vanishes
+from rigidtop.proof.values import Value, Vector, atoms_of, components, flattened, vanishes
 from rigidtop.theory.rates import slopes_at_zero
 
 NEGLECTED = Symbol("neglected")
@@ -101,6 +101,49 @@ def nothing_hidden(flat: Expr, known: Known, small: Sequence[Expr], letters: Let
         for by in hidden & {*small}:
             raise RefusedError("{} is defined by {}: put its definition in first", x, by)
 
+
+def stays_small(known: Known, given: Mapping[Expr, Value], letters: Letters) -> None:
+    """Raises RefusedError where what is small in an equation need not stay so with values put in.
+
+    The rest that was left out is small for fixed values of all other letters: not where they go to
+    zero, or grow, as that becomes small, nor where it is a number, or one of them.
+    """
+    sizes = {x: 1 for x in (known.order.letters if known.order else ()) if x != NEGLECTED}
+    sizes |= {
+        c.expression: 1 if c.relation == "small" else -1
+        for c in known.conditions
+        if c.relation in ("small", "large")
+    }
+    if not sizes:
+        return
+    sides = (side for pair in said_pairs(known, Algebra(letters)) for side in pair.sides)
+    standing = {x for side in sides for x in atoms_of(side)}
+    for atom, value in given.items():
+        if isinstance(value, (Vector, MatrixBase)) or atom not in standing or value == 0:
+            continue
+        if atom in sizes:
+            size = "small" if sizes[atom] > 0 else "large"
+            if value.is_number:
+                raise RefusedError(f"{{}} is {size} in {{}}: it can't be set", atom, name_of(known))
+            others = sorted({*atoms_of(value)} & standing - {atom}, key=str)
+            if others and value != letters.means.get(atom):
+                raise RefusedError(
+                    f"{{}} is {size} in {{}}, whatever {{}} is: it can't be set so",
+                    *(atom, name_of(known), others[0]),
+                )
+        for x, sign in sizes.items():
+            whole = flattened(_written_out(value, letters, x))[0]
+            if atom != x and whole.has(x):
+                far, near = (_number(whole, (x,), sign * depth) for depth in DEPTHS)
+                if not abs(near / far - 1) < _SETTLED:
+                    raise RefusedError(
+                        "with {} = {} it changes with {}: what is left out of {} need not be small",
+                        *(atom, value, x, name_of(known)),
+                    )
+
+
+_SETTLED = 1e-3
+"""A value no longer changes by more than this share."""
 
 DEPTHS = (10, 12)
 """What is small is 10⁻¹⁰ and 10⁻¹² where its share is looked for."""
@@ -190,9 +233,11 @@ def neglect(move: Move, algebra: Algebra) -> Performed:
         for k, side in enumerate((pair.left, pair.right)):
             rest = side
             for term in left_out:
-                if not _contains(rest, term):
+                # The term that is named may stand there with a minus.
+                signs = [x for x in (1, -1) if _contains(rest, algebra.times(Integer(x), term))]
+                if not signs:
                     break
-                rest = algebra.total([rest, algebra.times(Integer(-1), term)])
+                rest = algebra.total([rest, algebra.times(Integer(-signs[0]), term)])
             else:
                 if all(vanishes(part) for part in components(rest, Integer(0))):
                     raise RefusedError("nothing is left of a side: what is larger has to stay")
@@ -261,7 +306,16 @@ def _stays(share: Expr, letter: Symbol, sign: int, letters: Letters) -> bool:
 
     They are what they are defined to be, or what the page solves for.
     """
-    values = {x: v for x, v in {**letters.means, **letters.solved}.items() if x != letter}
+    whole = _written_out(share, letters, letter)
+    if whole == share:
+        return False
+    far, near = (abs(_number(flattened(whole)[0], (letter,), -sign * n)) for n in DEPTHS)
+    return not near < far / 2
+
+
+def _written_out(value: Expr, letters: Letters, but: Symbol) -> Expr:
+    """A value with what letters stand for, by definitions or the page, if that has a letter."""
+    values = {x: v for x, v in {**letters.means, **letters.solved}.items() if x != but}
 
     def expanded(value: Expr) -> Expr:
         for _ in values:  # of letters that are defined by each other there is no end
@@ -270,12 +324,8 @@ def _stays(share: Expr, letter: Symbol, sign: int, letters: Letters) -> bool:
                 break
         return value
 
-    by = {x: v for x in share.free_symbols & {*values} if (v := expanded(values[x])).has(letter)}
-    if not by:
-        return False
-    whole = share.xreplace(by)
-    far, near = (abs(_number(flattened(whole)[0], (letter,), -sign * n)) for n in DEPTHS)
-    return not near < far / 2
+    known = value.free_symbols & {*values}
+    return value.xreplace({x: v for x in known if (v := expanded(values[x])).has(but)})
 
 
 def _is_negative(term: Expr) -> bool:

@@ -126,6 +126,8 @@ def _with(made: Performed, move: Move, letters: Letters) -> Performed:
         if each.scope is Scope.SET:
             _reaches_into(each, made.pairs, letters)
     given = put_in(move.using, letters)
+    for known in move.of:
+        orders.stays_small(known, given, letters)
     for atom in {*given} & {*made.given}:
         values = made.given[atom], given[atom]
         scalar = not any(is_operator(x) or isinstance(x, Vector) for x in values)

@@ -10,6 +10,7 @@ from sympy import Expr, Integer, MatrixBase, Symbol
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Equation, Rate
 from rigidtop.proof.letters import Letters
+from rigidtop.proof.moves import orders
 from rigidtop.proof.moves.move import (
     Condition,
     Known,
@@ -62,7 +63,7 @@ def _set_to(move: Move, algebra: Algebra) -> Performed:
     for atom in letters.unit_vectors & {*given}:
         if not vanishes(algebra.dot(given[atom], given[atom]) - 1):
             raise RefusedError("{} is a unit vector", atom)
-    _small_stays(given, known)
+    orders.stays_small(known, given, letters)
     for atom, value in given.items():
         if isinstance(value, Vector) and at_right_angles(tree(value) - atom, letters):
             raise RefusedError("{} and {} are axes of one frame, at right angles", atom, value)
@@ -94,23 +95,20 @@ def _set_to(move: Move, algebra: Algebra) -> Performed:
         for left, right in (map(algebra.value, e.sides) for e in move.by)
         if not (is_operator(left) or is_operator(right))
     )
+    conditions += _small_too(known, given)
     tied = frozenset(x for x in _letters_of(given) if x in letters.numbers)
     return Performed(tuple(pairs), scope, conditions, known.order, given, tied=tied)
 
 
-def _small_stays(given: Mapping[Expr, Value], known: Known) -> None:
-    """Refuse to set a letter to a number that is small in what is cited."""
-    order = known.order
-    for x in () if order is None else order.letters:
-        if x in given and given[x] != 0 and getattr(given[x], "is_number", False):
-            raise RefusedError("{} is small in {}: it can't be set", x, name_of(known))
-    for condition in known.conditions:
-        if condition.relation in ("large", "small") and condition.expression in given:
-            raise RefusedError(
-                f"{{}} is {condition.relation} in {{}}: it can't be set",
-                condition.expression,
-                name_of(known),
-            )
+def _small_too(known: Known, given: Mapping[Expr, Value]) -> tuple[Condition, ...]:
+    """That a letter is small, or large, as what is small or large in an equation is set to it."""
+    sizes = dict.fromkeys(known.order.letters if known.order else (), "small")
+    sizes |= {
+        c.expression: c.relation for c in known.conditions if c.relation in ("small", "large")
+    }
+    values = ((given[x], size) for x, size in sizes.items() if x in given)
+    letters = ((value.as_coeff_Mul()[1], size) for value, size in values if isinstance(value, Expr))
+    return tuple(Condition(x, size) for x, size in letters if isinstance(x, Symbol))
 
 
 def _letters_of(given: Mapping[Expr, Value]) -> Iterator[Expr]:

@@ -54,13 +54,19 @@ def _root_of(value: Expr, conditions: Sequence[Condition]) -> Expr:
         if sign:
             apart.append(sign * factor)
         together *= sign or factor
-    made = Mul(sympy.sqrt(together), *map(sympy.sqrt, apart)).xreplace(nodes)
+    return without_bars(
+        Mul(sympy.sqrt(together), *map(sympy.sqrt, apart)).xreplace(nodes), conditions
+    )
 
-    def without_bars(x: Expr) -> Expr:
+
+def without_bars(value: Expr, conditions: Sequence[Condition]) -> Expr:
+    """A value with x or −x for |x|, where a condition says which it is."""
+
+    def bare(x: Expr) -> Expr:
         sign = _known_sign(x, conditions)
         return sign * x if sign else sympy.Abs(x)
 
-    return made.replace(sympy.Abs, without_bars)
+    return value.replace(sympy.Abs, bare)
 
 
 def _known_sign(base: Expr, conditions: Sequence[Condition]) -> int:
