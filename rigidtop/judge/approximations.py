@@ -80,7 +80,8 @@ def tending(question: Question) -> Judgement:
     """The outcome of →: a letter that becomes large or small, or what both sides become then."""
     left, right, context = question.left, question.right, question.context
     limits = [x for x in context.limits if x.sentence == question.at.sentence]
-    if isinstance(left, Letter) and right in (INFINITY, ZERO) and not limits:
+    same = any(x.letter == left for x in limits)
+    if isinstance(left, Letter) and right in (INFINITY, ZERO) and (same or not limits):
         limit = Limit(left, right == INFINITY, question.at.sentence)
         return Outcome(PREMISE, "a limit"), replace(context, limits=(*context.limits, limit))
     match left, right:

@@ -305,8 +305,9 @@ class Judge:
             outcome, context = self._in_order(clear, situation, before)
             return (undecided if outcome.passed else outcome), context
         wrong, context = self._braced(statement, situation, context)
-        context = replace(context.knowing(letters_in(statement)), said=statement.sides)
-        return joint([*outcomes, *wrong]), context
+        outcome = joint([*outcomes, *wrong])
+        said = () if outcome.verdict == FALSE else statement.sides
+        return outcome, replace(context.knowing(letters_in(statement)), said=said)
 
     def _by_head(self, question: Question, context: Context) -> Outcome | None:
         """That a link follows from the head of its chain, where the one before it is wrong.

@@ -264,6 +264,10 @@ def _look_alike(one: str, other: str) -> bool:
     return neighbours or shapes or one.lower() == other.lower()
 
 
+_COUNTS = ("3", "⅓")
+"""The number of particles, as a factor."""
+
+
 def _times(
     side: Node,
     names: frozenset[Letter],
@@ -296,6 +300,10 @@ def _times(
                 yes = n.Apply(name, x)
                 factors.append((yes, plain(yes), 2.4))
                 factors.append((n.Quotient(Number("1"), yes), f"1/{plain(yes)}", 2.6))
+
+    # How many particles are taken for a sum says nothing of the sum.
+    counted = any(isinstance(x, n.Total) for x in n.walked(side))
+    factors = [x for x in factors if not (counted and x[1] in _COUNTS)]
 
     def local(node: Node) -> Iterator[tuple[Node, str, float]]:
         for k, term in enumerate(_terms(node)):

@@ -12,7 +12,7 @@ from rigidtop.judge import neighbours, places, states
 from rigidtop.judge.context import SETTING, START, Constraint, Context, Definition
 from rigidtop.judge.habits import bare
 from rigidtop.judge.laws import LAGRANGIANS
-from rigidtop.judge.letters import CLOCK
+from rigidtop.judge.letters import CLOCK, FORCES
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import (
@@ -61,6 +61,8 @@ def _possible(
     if not at.inline:
         general = context.without_cases(letters_in(statement) - {statement.sides[0]})
         yield Supposition(statement, at, general, lasts=True)
+    turned = _with_rates_for_primes(statement)
+    yield Supposition(turned, at, context, words="with a prime for the rate")
     stated = states.stated(statement, at, context)
     yield Supposition(statement, at, stated or context, tells=True)
     nearly = _to_first_order(at, context)
@@ -81,7 +83,7 @@ def _possible(
         yield Supposition(statement, at, with_energy(begun, at.number, at.scope), lasts=True)
     if _accelerates(statement):
         lawless = not any(x in context.definitions for x in LAGRANGIANS)
-        if is_open and lawless and not (at.inline or at.instant):
+        if is_open and lawless and not (at.inline or at.instant or _is_damped(context)):
             conserved = with_energy(context, at.number, at.scope)
             yield Supposition(statement, at, conserved, lasts=True, tells=at.derived)
         beside = neighbours.beside(statement, at, context, memory)
@@ -104,6 +106,19 @@ def _possible(
     for there in places.placed(statement, at, context):
         changed = places.with_rates(statement, context)
         yield Supposition(changed, at, there, tells=True)
+
+
+def _with_rates_for_primes(statement: Statement) -> Statement:
+    """The statement in which u′ is the rate of u, whatever that is a function of."""
+
+    def turned(node: Node) -> Node:
+        match node:
+            case n.Primed(Letter() as letter, order):
+                return n.Rate(letter, order, True)
+        return node
+
+    sides = tuple(n.mapped(side, turned) for side in statement.sides)
+    return statement if sides == statement.sides else replace(statement, sides=sides)
 
 
 def _at_the_latest_moment(
@@ -137,6 +152,12 @@ def _accelerates(statement: Statement) -> bool:
     """Whether a second rate stands in it."""
     nodes = (x for side in statement.sides for x in n.walked(side))
     return any(isinstance(x, n.Rate) and x.order == 2 for x in nodes)
+
+
+def _is_damped(context: Context) -> bool:
+    """Whether a force is known that depends on a velocity."""
+    forces = (d.node for x, d in context.definitions.items() if x.base in FORCES and not x.bold)
+    return any(isinstance(x, n.Rate) and x.order == 1 for node in forces for x in n.walked(node))
 
 
 def _without_potential(at: Situation, context: Context) -> Context | None:

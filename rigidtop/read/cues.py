@@ -15,6 +15,7 @@ import re
 from collections.abc import Iterator
 
 from rigidtop.read.phrases import BEFORE, BEHIND, INLINE, TITLED, WITHIN, Cue
+from rigidtop.read.words import WORD
 
 _LET_GO = r"(?:released|let go|dropped|losgelassen|lâchée?s?|abandonnée?s?)"
 _REST = re.compile(
@@ -152,8 +153,9 @@ _KEPT = re.compile(
 
 
 _STAYS = (
-    r"(?:(?:is|stays|remains|ist|bleibt|est|reste)(?: \w+){0,2}? (?:conserved|constant|unchanged"
-    r"|the same|erhalten|konstant|unverändert|conservée?|constante?)|(?:does not|cannot) change"
+    rf"(?:(?:is|stays|remains|ist|bleibt|est|reste)(?: {WORD}){{0,2}}? (?:conserved|constant"
+    r"|unchanged|the same|erhalten|konstant|unverändert|conservée?|constante?)"
+    r"|(?:does not|cannot) change"
     r"|se conserve|ändert sich nicht)\b"
 )
 _IT_STAYS = re.compile(

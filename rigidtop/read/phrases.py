@@ -25,6 +25,7 @@ from rigidtop.read.words import (
     SMALLER,
     START,
     THE,
+    WORD,
 )
 
 
@@ -270,8 +271,8 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"|twice as|doubled?|\w+ times (?:as|the)|halved?|half of"
         r"|an? (?:third|quarter|fifth|sixth|tenth) of"
         r"|(?:stiffer|weaker|heavier|lighter|longer|shorter)(?! than)"
-        r"|different|exchanged|replaced|relative (?:motion|distance)|drift\w*|removed|shorten\w*"
-        r"|cut|torn|taken off|loaded|glued|blocked|unloaded)\b",
+        r"|different|modified|exchanged|replaced|relative (?:motion|distance)|drift\w*|removed"
+        r"|shorten\w*|cut|torn|taken off|loaded|glued|blocked|unloaded)\b",
         r"\b(?:in (?:a row|series|parallel)|side by side|next to each other|seen (?:from|by)"
         r"|observer|in the frame|cent(?:re|er) of mass|moon|vacuum|under water|lift that"
         r"|(?:turning|rotating|moving|accelerating) (?:\w+ )?(?:axes|frame|disc|table|train|car)"
@@ -378,9 +379,9 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
 
 BEHIND: dict[Cue, tuple[str, ...]] = {
     Cue.CONSTANT: (
-        rf",? ?(?:which |that |die |der |qui )?{BEING} (?:\w+ )?(?:an? |the |une? |eine? )?"
+        rf",? ?(?:which |that |die |der |qui )?{BEING} (?:{WORD} )?(?:an? |the |une? |eine? )?"
         rf"{FIXED}",
-        rf"{AND}(?:are|remain|stay|sind|bleiben|sont|restent) (?:\w+ )?(?:the |des )?{FIXED}",
+        rf"{AND}(?:are|remain|stay|sind|bleiben|sont|restent) (?:{WORD} )?(?:the |des )?{FIXED}",
         rf"{AND}(?:both |all )?(?:fixed|const(?:ant)?|konst(?:ant)?|constante?s?|conserved|fest)"
         r"\b",
         rf"{AND}(?:does|do) not (?:change\b(?! under| with| if)|depend on (?:the )?time)",

@@ -9,6 +9,8 @@ THE = r"(?:the|an?|its|our|their|some|der|die|das|dem|den|eine?[mnrs]?|les?|la|u
 NOUN = rf"(?: {THE})?(?: [\w'-]+){{0,4}}"
 START = r"(?:^|[,;:.(–¶] ?|\b(?:and|while|but|or|so|that|now|then|we|us|I|und|wir|et|dass|que) )"
 BEING = r"(?:is|are|be|being|remains?|stays?|ist|sind|bleib(?:t|en)|est|sont|reste(?:nt)?)"
+WORD = r"(?!(?:not|never|no|nicht|nie|keine?|pas|jamais)\b)\w+"
+"""A word that does not deny what follows."""
 AND = r"(?:,? ?(?:and|und|et|,) §)*,? ?"
 FIXED = (
     r"(?:constant|const\b|conserved|fixed|unchanged|the same|konstant|erhalten|fest|unverändert"

@@ -182,3 +182,21 @@ def test_what_holds_somewhere_does_not_hold_in_general(text):
 def test_the_energy_of_what_is_turned_need_not_be_that_of_jacobi():
     line = r"$$ E = \frac12 m(\dot r^2 + r^2\omega^2) $$"
     assert judged(BEAD + line)[-1].outcome.passed is not False
+
+
+def test_a_line_that_says_what_a_wrong_one_says_is_wrong_too():
+    text = r"$$ L = \frac12ml^2\dot\phi^2 - mgl\cos\phi $$ so $$ ml^2\ddot\phi + mgl\sin\phi = 0 $$"
+    rows = judged(text + r" or $$ \ddot\phi = -\frac gl\sin\phi $$")
+    assert [row.outcome.passed for row in rows[1:]] == [False, False]
+
+
+def test_a_sum_is_not_told_by_how_many_particles_are_taken():
+    text = r"$$ \mathbf F_{ij} + \mathbf F_i = \dot{\mathbf p}_i $$ Added, $$ \sum_{i\ne j}"
+    text += r"\mathbf F_{ij} + \sum_i\mathbf F_i = \sum_i\dot{\mathbf p}_i $$"
+    assert judged(text)[-1].outcome.passed is None
+
+
+def test_a_prime_may_be_a_rate():
+    text = r"$$ \frac{dx}{dt} = 2 - x $$ We let $u = x + 3$. Then "
+    assert judged(text + "$$ u' = 5 - u $$")[-1].outcome.passed
+    assert not judged(text + "$$ u' = 4 - u $$")[-1].outcome.passed

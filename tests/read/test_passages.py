@@ -123,6 +123,8 @@ CUES = {
     "$a=b$ and $c=d$ are constants of the motion.": ["", "CONSTANT"],
     "$$a=b$$ does not change.": ["CONSTANT"],
     "There is a constant $$l=m$$": ["CONSTANT"],
+    "$a=b$ is not a constant.": [""],
+    "We can show that $$a=b$$": [""],
     "$$p=q$$ ist erhalten.": ["CONSTANT"],
     "For small angles $$a=b$$ Exactly $$c=d$$": ["APPROXIMATED SMALL", "GENERAL"],
     "# A\nTo first order $a=b$, moreover $c=d$.\n# B\n$a=b$": [
