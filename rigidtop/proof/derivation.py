@@ -302,6 +302,10 @@ def _contradiction(
         if any(bounds.positive(*flat_with(x, conditions)) for x in wrong):
             return _AGAINST
     apart = [p.left - p.right for p in pairs if p.relation in ("=", "≈")]
+    if performed.order is not None:  # 0 ≈ 1 − ε says that ε is not small
+        nothing = dict.fromkeys(performed.order.letters, 0)
+        first = (x.subs(nothing) for x in apart)
+        apart += [x for x in first if x.is_finite is not False and not x.has(sympy.nan)]
     if any(never_vanishes(x, conditions) for x in apart):
         return _AGAINST
     # A limit, such as g = 0, is set for a letter of which g > 0 is known.

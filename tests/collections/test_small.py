@@ -87,6 +87,10 @@ REFUSED = {
         + r"Substitute the seven into it => y \approx 1 - 7x",
         "v is small in small:10: it can't be set",
     ),
+    "what would have to be large to hold": (
+        EXPANDED + r"Set $y = 0$ in it => 0 \approx 1 - \varepsilon x",
+        "this can't hold",
+    ),
     "the two sides of a number": (
         r"""Rewrite the distance, for $x > a$ => f = x - a \tag{1.1}
 Rewrite the distance, for $x < a$ => f = a - x \tag{1.2}
