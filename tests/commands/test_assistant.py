@@ -5,6 +5,7 @@ import json
 import sys
 
 import mcp
+import pytest
 
 from rigidtop.cli import main
 
@@ -28,7 +29,32 @@ async def asked(*calls):
     return said
 
 
-def test_an_assistant_is_told_what_the_commands_tell(tmp_path, capsys):
+GOAL = r"l\ddot\theta = -g\sin\theta"
+
+
+@pytest.fixture(scope="module")
+def said(tmp_path_factory):
+    """What comes of calls to one server, and the schemas of its tools."""
+    secret = tmp_path_factory.mktemp("files") / "secret.tex"
+    secret.write_text("$$E = 7$$", "utf-8")
+    text = rf"\documentclass{{article}} \input{{{secret.with_suffix('')}}} $E = 8$"
+    calls = (
+        ("audit", {"text": BOB}),
+        ("derive", {"name": "3.53"}),
+        ("mark", {"text": f"$${GOAL}$$", "given": LAW, "goal": GOAL}),
+        ("simulate", {"top": TOP, "samples": 3}),
+        ("certify", {"top": TOP, "samples": 5}),
+        ("audit", {"text": text}),
+        ("audit", {"text": "none"}),
+        ("derive", {"name": "/etc"}),
+        ("mark", {"text": "$x = 1$"}),
+        ("mark", {"text": "$x = 1$", "start": "3.53", "goal": "9.99"}),
+        ("simulate", {"top": {**TOP, "theta": 9}}),
+    )
+    return asyncio.run(asked(*calls))
+
+
+def test_an_assistant_is_told_what_the_commands_tell(said, tmp_path, capsys):
     (tmp_path / "bob.md").write_text(BOB, "utf-8")
     main(["audit", str(tmp_path / "bob.md"), "--json"])
     findings = json.loads(capsys.readouterr().out)
@@ -36,16 +62,7 @@ def test_an_assistant_is_told_what_the_commands_tell(tmp_path, capsys):
     derivation = json.loads(capsys.readouterr().out)
     main(["certify", "top", "--theta", "0.5", "--omega3", "40", "--samples", "5", "--json"])
     certificate = json.loads(capsys.readouterr().out)
-    goal = r"l\ddot\theta = -g\sin\theta"
-    audit, derive, mark, simulate, certify, tools = asyncio.run(
-        asked(
-            ("audit", {"text": BOB}),
-            ("derive", {"name": "3.53"}),
-            ("mark", {"text": f"$${goal}$$", "given": LAW, "goal": goal}),
-            ("simulate", {"top": TOP, "samples": 3}),
-            ("certify", {"top": TOP, "samples": 5}),
-        )
-    )
+    audit, derive, mark, simulate, certify, *_, tools = said
     assert audit["findings"] == findings
     assert audit["summary"].endswith("1 wrong; 1 says something new")
     assert derive["steps"] == derivation["steps"]
@@ -57,18 +74,9 @@ def test_an_assistant_is_told_what_the_commands_tell(tmp_path, capsys):
     assert tools["simulate"]["properties"]["samples"]["maximum"] == 10_000
 
 
-def test_what_makes_no_sense_is_told_in_one_line():
-    *said, _ = asyncio.run(
-        asked(
-            ("audit", {"text": "none"}),
-            ("derive", {"name": "/etc"}),
-            ("mark", {"text": "$x = 1$"}),
-            ("mark", {"text": "$x = 1$", "start": "3.53", "goal": "9.99"}),
-            ("simulate", {"top": {**TOP, "theta": 9}}),
-        )
-    )
+def test_what_makes_no_sense_is_told_in_one_line(said):
     for words, expected in zip(
-        said,
+        said[6:-1],
         ("no formulas", "no equation or claim '/etc'", "say `goal`", "'9.99'", "theta must lie"),
         strict=True,
     ):
@@ -76,8 +84,7 @@ def test_what_makes_no_sense_is_told_in_one_line():
         assert "\n" not in words
 
 
-def test_no_file_is_read(tmp_path):
-    (tmp_path / "secret.tex").write_text("$$E = 7$$", "utf-8")
-    text = rf"\documentclass{{article}} \input{{{tmp_path}/secret}} $E = 8$"
-    audit, _ = asyncio.run(asked(("audit", {"text": text})))
-    assert "7" not in json.dumps(audit)
+def test_no_file_is_read(said):
+    shown = json.dumps(said[5]["findings"])
+    assert "8" in shown
+    assert "E = 7" not in shown

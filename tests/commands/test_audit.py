@@ -1,9 +1,7 @@
 """``rigidtop audit``: what it prints, what it writes, what it refuses."""
 
-import io
 import json
 import re
-from contextlib import redirect_stdout
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -11,7 +9,6 @@ import pytest
 
 from rigidtop.cli import main
 
-NOTES = Path(__file__).parents[1] / "mark" / "notes.md"
 EULER = (
     "Along the axes:\n\n"
     "$$\\lambda_1\\dot\\omega_1 = (\\lambda_2 {} \\lambda_3)\\omega_2\\omega_3,$$\n\n"
@@ -29,15 +26,6 @@ def file(tmp_path):
         return str(path)
 
     return written
-
-
-@pytest.fixture(scope="module")
-def notes(tmp_path_factory):
-    """What is printed of the notes, and where the page with their verdicts is written."""
-    page = tmp_path_factory.mktemp("notes") / "annotated.html"
-    with redirect_stdout(io.StringIO()) as out:
-        assert main(["audit", str(NOTES), "-o", str(page)]) == 0
-    return out.getvalue(), page
 
 
 def test_a_slip_fails_and_is_refuted_in_its_line(capsys, file):

@@ -173,12 +173,6 @@ def test_a_page_is_read_to_its_end(course, capsys):
     assert "pendulum.md, line" in capsys.readouterr().err
 
 
-def test_an_empty_page_is_told(course, capsys):
-    (course / "pendulum.md").write_text("# Nothing\n", "utf-8")
-    assert main(["check", f"{course}/"]) == 1
-    assert "the page is empty" in capsys.readouterr().out
-
-
 def test_a_list_may_follow_a_colon(course, capsys):
     add(course, "There are two of them:\n\n- one\n- two")
     assert main(["check", f"{course}/"]) == 0

@@ -135,9 +135,12 @@ def test_an_editor_is_told_what_the_audit_finds(tmp_path, capsys):
     asyncio.run(ask())
 
 
-def test_what_a_quick_fix_writes_is_right(tmp_path):
+def test_the_newest_text_wins_and_what_a_quick_fix_writes_is_right(tmp_path):
     async def ask():
         async with editing(tmp_path / "bob.md") as editor:
+            for k in range(5):
+                editor.send(BOB + f"\n$x_{k} = {k}$\n")
+            assert len(await editor.diagnostics()) == 2
             text = BOB
             while told := await editor.write(text):
                 [repair] = await editor.repairs(told[0].range)
@@ -150,16 +153,6 @@ def test_what_a_quick_fix_writes_is_right(tmp_path):
             assert text.count("-") == 2
             assert r"\label{p} \\" in text
             assert r"\dot{p} &= -m g l \sin \theta. \tag{2}" in text
-
-    asyncio.run(ask())
-
-
-def test_the_newest_text_wins(tmp_path):
-    async def ask():
-        async with editing(tmp_path / "bob.md") as editor:
-            for k in range(5):
-                editor.send(BOB + f"\n$x_{k} = {k}$\n")
-            assert len(await editor.diagnostics()) == 2
 
     asyncio.run(ask())
 

@@ -9,8 +9,8 @@ import threading
 
 import pytest
 
-COUNT = int(os.environ.get("RIGIDTOP_MESSAGES", "1000"))
-"""So many messages are sent to each; ten times as many were, by hand."""
+COUNT = int(os.environ.get("RIGIDTOP_MESSAGES", "500"))
+"""So many messages are sent to each; twenty times as many were, by hand."""
 
 URIS = ["file:///tmp/a.md", "file:///tmp/b.tex", "untitled:1", "", "::", "file:///\0", "a" * 5000]
 TEXTS = [

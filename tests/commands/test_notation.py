@@ -2,6 +2,7 @@
 
 import inspect
 import json
+from itertools import cycle
 
 import pytest
 
@@ -93,11 +94,10 @@ def test_notes_of_the_check_are_in_the_notation(capsys):
     assert record["verdict"] == "assuming"
 
 
-@pytest.mark.parametrize("name", ["goldstein", "landau", "morin"])
-def test_values_of_every_claim_can_be_written(name, judgements):
-    notation = named(name)
+def test_values_of_every_claim_can_be_written(judgements):
     written = 0
-    for judged in judgements.values():
+    for judged, name in zip(judgements.values(), cycle(["goldstein", "landau", "morin"])):
+        notation = named(name)
         try:
             made = values(judged)
         except NothingToEvaluateError:
