@@ -1,6 +1,7 @@
 """Exercises of the chapters: their numbers, confirmed for other settings too, and marked."""
 
 import math
+from dataclasses import replace
 from functools import cache
 
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from rigidtop.cli import main
 from rigidtop.collection import load
 from rigidtop.collection.chapters import CHAPTERS, chapters
+from rigidtop.mark.exercise import answered
 from rigidtop.proof.exercise import Answer
 from rigidtop.proof.page import Measure
 
@@ -102,23 +104,24 @@ def written(answer, times=1):
 
 
 @every_exercise
-def test_answers_are_marked(chapter, name, tmp_path, capsys):
+def test_answers_are_marked(chapter, name):
     found = answers(chapter, name)
-    lines = {x: written(a) for x, a in found.items()}
+    solved = replace(EXERCISES[chapter, name], solve=lambda **_: found.values())
+    lines = [written(each, times) for times in (1, 2) for each in found.values()]
+    marking = answered(name, "\n".join(lines), exercises=[solved])[2]
+    assert marking.summary.startswith("line ")
+    assert [x.mark for x in marking.lines] == ["follows"] * len(found) + ["wrong"] * len(found)
+    assert [x.slip for x in marking.lines[len(found) :]] == ["off by a factor 2"] * len(found)
+
+
+def test_the_command_marks_an_exercise_of_a_chapter(tmp_path, capsys):
     file = tmp_path / "answer.md"
-
-    def marked(answer):
-        file.write_text("\n".join(answer.values()), "utf-8")
-        capsys.readouterr()
-        code = main(["mark", f"{CHAPTERS / chapter}/", str(file), "--exercise", name])
-        return code, " ".join(capsys.readouterr().out.split())
-
-    code, told = marked(lines)
-    assert code == 0, told
-    assert f"all {len(lines)} numbers are right" in told
-    code, told = marked({x: written(a, 2) for x, a in found.items()})
-    assert code == 1
-    assert told.count("off by a factor 2") == len(lines)
+    for times, code, told in ((1, 0, "all 5 numbers are right"), (2, 1, "off by a factor 2")):
+        found = answers("rolling", "race").values()
+        file.write_text("\n".join(written(each, times) for each in found), "utf-8")
+        marked = ["mark", f"{CHAPTERS / 'rolling'}/", str(file), "--exercise", "race"]
+        assert main(marked) == code
+        assert told in " ".join(capsys.readouterr().out.split())
 
 
 def test_the_symbols_stand_with_the_numbers(capsys):
