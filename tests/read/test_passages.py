@@ -331,4 +331,4 @@ def test_the_time_grows_with_the_length_alone(unit):
         declared(source)
         return time.process_time() - start
 
-    assert seconds(100_000) < 8 * seconds(25_000) + 0.5
+    assert seconds(40_000) < 8 * seconds(10_000) + 0.2
