@@ -82,6 +82,11 @@ def pictures(whole):
     return whole[1]
 
 
+@pytest.fixture(scope="module")
+def for_students(judged, solutions, lines):
+    return lecture(judged, solutions, Edition(student=True, lines=lines))
+
+
 def test_every_figure_has_its_section():
     assert {each.section for each in FIGURES} - {""} <= {page.section for page in PAGES}
 
@@ -98,8 +103,13 @@ def drawn(pictures):
     return {p.name: both(p.drawing, p.given) for p in pictures}
 
 
-def test_html_of_all_pages(document, drawn):
-    made = html.write(document, {name: svg.decode() for name, (_, svg) in drawn.items()})
+@pytest.fixture(scope="module")
+def made(document, drawn):
+    """The lecture as HTML."""
+    return html.write(document, {name: svg.decode() for name, (_, svg) in drawn.items()})
+
+
+def test_html_of_all_pages(document, made):
     root = ElementTree.fromstring(made.removeprefix("<!DOCTYPE html>\n"))
     names = [e.get("id") for e in root.iter() if e.get("id")]
     assert len(set(names)) == len(names)
@@ -394,33 +404,30 @@ def test_the_record_has_every_line_once(recorded, document):
     assert set(there) == set(lines(document))
 
 
-def test_a_student_sees_no_solution(judged, solutions, lines):
-    (document, pictures), (whole, _) = (
-        lecture(judged, solutions, Edition(student, lines=lines)) for student in (True, False)
-    )
+def test_a_student_sees_no_solution(document, for_students, solutions):
+    asked, pictures = for_students
     told, known = (
         " ".join(b.caption for b in each.blocks if isinstance(b, Figure))
-        for each in (document, whole)
+        for each in (asked, document)
     )
     for answer in ("0.66", "1.71 N m", "0.391 s", "76.5 %"):
         assert answer in known
         assert answer not in told
     assert not any(picture.name.startswith("exercise-") for picture in pictures)
-    assert not any(_is(block, "numbers", "values") for block in document.blocks)
-    heads = [b.number for b in document.blocks if isinstance(b, ExerciseHead)]
+    assert not any(_is(block, "numbers", "values") for block in asked.blocks)
+    heads = [b.number for b in asked.blocks if isinstance(b, ExerciseHead)]
     assert heads == list(range(1, len(EXERCISES) + 1))
     new = {j.claim.name for s in solutions for j in s.judgements} - {
         claim.name for page in PAGES for claim in page.claims
     }
     assert new
-    assert not new & _marked(document)
-    assert new <= _marked(whole)
+    assert not new & _marked(asked)
+    assert new <= _marked(document)
 
 
-def test_a_student_has_no_quarrel_with_the_notes(judged, solutions, lines):
+def test_a_student_has_no_quarrel_with_the_notes(document, for_students):
     quarrels = {Verdict.FALSE, Verdict.CONVENTION}
-    for student in (True, False):
-        whole, _ = lecture(judged, solutions, Edition(student, lines=lines))
+    for whole, student in ((for_students[0], True), (document, False)):
         shown = {"legend": {v for v, _ in _one(whole, Legend).rows}}
         shown["summary"] = {v for *_, v in _one(whole, Results).rows}
         shown["margin"] = {mark.verdict for mark in _marks(whole)}
@@ -717,10 +724,9 @@ return [seals.length, seals.filter((seal) => {
 }).length]"""
 
 
-def test_a_mark_stays_beside_its_equation_in_every_view(document, drawn, tmp_path):
+def test_a_mark_stays_beside_its_equation_in_every_view(made, tmp_path):
     path = tmp_path / "lecture.html"
-    svg = {name: page.decode() for name, (_, page) in drawn.items()}
-    path.write_text(html.write(document, svg), "utf-8")
+    path.write_text(made, "utf-8")
     driver = chrome()
     try:
         driver.get(path.as_uri())
