@@ -11,6 +11,7 @@ import rigidtop as rt
 MOMENTS = np.array([1.0, 4.2, 5.0])
 OMEGA = (2.0, 9.0, 3.0)
 T = np.linspace(0.0, 2.0, 121)
+FEW = T[::3]
 TOP = rt.HeavyTop(lambda1=1.0, lambda3=0.5, M=1.0, R=0.5)
 
 
@@ -41,7 +42,7 @@ def test_without_noise_it_is_the_body():
     assert fit.values["L"] == pytest.approx(np.linalg.norm(run.angular_momentum[0]))
 
 
-@pytest.mark.parametrize("order", [(0, 1, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)])
+@pytest.mark.parametrize("order", [(1, 2, 0), (2, 1, 0)])
 def test_moments_belong_to_the_axes_as_measured(order):
     order = list(order)
     fit = rt.fit(T, omega=noisy(flight(T, MOMENTS[order], np.array(OMEGA)[order]).omega))
@@ -100,7 +101,7 @@ def test_a_symmetric_body():
 
 
 def test_a_long_flight_is_no_false_minimum():
-    t = np.linspace(0, 60, 1500)
+    t = np.linspace(0, 60, 600)
     fit = rt.fit(t, omega=noisy(flight(t, (1.0, 1.3, 1.9), (1.0, 9.0, 3.0)).omega, 0.3))
     assert nearby(fit, named((1.0, 1.3, 1.9)))
 
@@ -123,9 +124,9 @@ def test_a_top_by_its_angles():
 
 
 def test_errors_cover():
-    """Of 12 throws with fixed seeds: about 68 % within one error, 95 % within two."""
-    away, t = [], T[::2]
-    for seed in range(12):
+    """Of 8 throws with fixed seeds: about 68 % within one error, 95 % within two."""
+    away, t = [], T[::4]
+    for seed in range(8):
         shape = np.random.default_rng(seed)
         moments = np.array([1.0, shape.uniform(1.2, 1.8), shape.uniform(1.9, 2.2)])
         omega = shape.normal(size=3) * 8 + np.array([3.0, 3.0, 3.0])
@@ -139,18 +140,17 @@ def test_errors_cover():
 SPIN = "moments cannot be known from this: a body that tumbles explains"
 
 
-@pytest.mark.parametrize(("axis", "size"), [(0, 0.05), (1, 0.0), (1, 1e-9), (2, 1e-9)])
+@pytest.mark.parametrize(("axis", "size"), [(0, 0.05), (1, 0.0), (2, 1e-9)])
 def test_a_spin_along_a_principal_axis_tells_nothing(axis, size):
-    omega = np.tile(9.0 * np.eye(3)[axis], (len(T), 1))
+    omega = np.tile(9.0 * np.eye(3)[axis], (len(FEW), 1))
     with pytest.raises(rt.RigidtopError, match=SPIN):
-        rt.fit(T, omega=noisy(omega, size))
+        rt.fit(FEW, omega=noisy(omega, size))
 
 
 def test_a_ball_tells_nothing():
-    with pytest.raises(rt.RigidtopError, match=SPIN):
-        rt.fit(T, omega=noisy(np.tile((1.0, 2.0, 3.0), (len(T), 1))))
-    with pytest.raises(rt.RigidtopError, match=SPIN):
-        rt.fit(T, omega=np.zeros((len(T), 3)))
+    for omega in (noisy(np.tile((1.0, 2.0, 3.0), (len(FEW), 1))), np.zeros((len(FEW), 3))):
+        with pytest.raises(rt.RigidtopError, match=SPIN):
+            rt.fit(FEW, omega=omega)
 
 
 def test_a_steady_precession_tells_nothing():

@@ -23,11 +23,9 @@ def start_of(theta):
     return TOP.motion(theta=theta, **START)
 
 
-@pytest.mark.parametrize(
-    ("theta", "time"), [(0.5, 100), *((x, 20) for x in (1e-6, math.pi - 1e-6, 0.0, math.pi))]
-)
-def test_fast_top_keeps_energy_and_momenta(theta, time):
-    run = start_of(theta).integrate(np.linspace(0, time, 401), rtol=1e-12)
+@pytest.mark.parametrize("theta", [0.5, 1e-6, math.pi])
+def test_fast_top_keeps_energy_and_momenta(theta):
+    run = start_of(theta).integrate(np.linspace(0, 20, 401), rtol=1e-12)
     assert set(run.drift()) == {"energy", "p_phi", "p_psi"}
     assert max(run.drift().values()) < 1e-12
     assert np.all(np.isfinite([run.phi, run.psi, run.theta_dot, run.phi_dot, run.psi_dot]))
@@ -117,12 +115,12 @@ def test_every_method_arrives(method):
     assert run.phi == pytest.approx(exact.phi, abs=1e-2)
 
 
-def test_numbers_load_no_sympy():
+def test_numbers_load_no_sympy_and_no_heyoka():
     code = (
         "import sys, rigidtop as rt; top = rt.HeavyTop(lambda1=1, lambda3=0.5, M=1, R=0.5);"
         "run = top.motion(theta=0.5, omega3=40.0).integrate([0.0, 0.1]); run.drift();"
         "rt.FreeBody(1, 2, 2.5).motion((1, 2, 3)).integrate(1.0);"
-        "sys.exit(any(name.split('.')[0] == 'sympy' for name in sys.modules))"
+        "sys.exit(any(name.split('.')[0] in ('sympy', 'heyoka') for name in sys.modules))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False, timeout=120).returncode == 0
 

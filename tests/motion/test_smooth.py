@@ -27,27 +27,37 @@ def motion(start, tip=0.0, **changes):
     return body.motion(**start, phi=0.3, psi=-0.2, velocity=(0.1, -0.3))
 
 
-@pytest.mark.parametrize("tip", [0.0, 0.1, 0.5, 0.9], ids=lambda tip: f"tip {tip}")
-@pytest.mark.parametrize("start", STARTS.values(), ids=STARTS)
+@pytest.mark.parametrize(
+    ("start", "tip"),
+    [
+        ("loops", 0.0),
+        ("cusps", 0.1),
+        ("waves", 0.9),
+        ("backwards", 0.1),
+        ("near the vertical", 0.5),
+    ],
+)
 def test_closed_form_is_the_integrated_motion(start, tip):
     """Sharp, round, a ball with its mass in the middle (h = 0), its mass below the middle."""
     times = np.array([7.0, 0.0, 0.3, 1.9, 10.0])
-    run = motion(start, tip)
+    run = motion(STARTS[start], tip)
     exact, solved = run.exact(times), run.integrate(times, rtol=1e-12, atol=1e-14)
-    fast = 1 / math.sin(start["theta"])
+    fast = 1 / math.sin(run.start().theta[0])
     for name in (*SEEN, *KEPT, *WHERE):
         found, wanted = getattr(exact, name), getattr(solved, name)
         assert found == pytest.approx(wanted, rel=1e-11, abs=2e-10 * fast), name
     assert (exact.rotation.inv() * solved.rotation).magnitude().max() < 1e-10
 
 
-@pytest.mark.parametrize("tip", [0.0, 0.1, 0.5, 0.9], ids=lambda tip: f"tip {tip}")
 @pytest.mark.parametrize(
-    "start",
+    ("start", "tip"),
     [
-        {"theta": 0.0, "theta_dot": 1.0, "omega3": 20.0},
-        {"theta": 0.0, "theta_dot": -0.7, "omega3": -30.0},
-        {"theta": 0.4, "theta_dot": 1.5, "omega3": 24.0, "phi_dot": 12.0 / (1 + math.cos(0.4))},
+        ({"theta": 0.0, "theta_dot": 1.0, "omega3": 20.0}, 0.1),
+        ({"theta": 0.0, "theta_dot": -0.7, "omega3": -30.0}, 0.9),
+        (
+            {"theta": 0.4, "theta_dot": 1.5, "omega3": 24.0, "phi_dot": 12.0 / (1 + math.cos(0.4))},
+            0.0,
+        ),
     ],
 )
 def test_through_the_vertical(start, tip):

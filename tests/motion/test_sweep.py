@@ -177,14 +177,6 @@ def test_only_what_is_missing_is_computed(tmp_path):
     assert once_more.blocks == []
 
 
-def test_blocks_may_have_another_size_next_time(tmp_path):
-    path = stop_after(tmp_path, 300)
-    again = Serial()
-    run(SMALL, path, again, block_size=256)
-    assert again.blocks == [(300, 556), (556, 812), (812, 1000)]
-    assert np.array_equal(np.load(path).ravel(), block(SMALL, 0, 1000))
-
-
 def test_an_executor_that_takes_no_more_loses_nothing(tmp_path):
     path = tmp_path / "map.npy"
     with pytest.raises(rt.RigidtopError, match=r"RuntimeError: cannot schedule .* 400 of 1000"):
@@ -298,17 +290,10 @@ def test_what_the_disk_refuses_is_not_in_the_journal(tmp_path, monkeypatch):
     assert len(again.blocks) == 7
 
 
-def test_a_lost_journal_costs_time_alone(tmp_path):
+@pytest.mark.parametrize("lost", [store.journal_path, lambda path: path], ids=["journal", "map"])
+def test_what_is_lost_costs_time_alone(tmp_path, lost):
     path = stop_after(tmp_path, 300)
-    store.journal_path(path).unlink()
-    again = Serial()
-    run(SMALL, path, again, block_size=100)
-    assert len(again.blocks) == 10
-
-
-def test_a_deleted_map_is_computed_anew(tmp_path):
-    path = stop_after(tmp_path, 300)
-    path.unlink()
+    lost(path).unlink()
     again = Serial()
     run(SMALL, path, again, block_size=100)
     assert len(again.blocks) == 10
@@ -321,7 +306,7 @@ def progress(done, total):
     print(done, total, flush=True)
     time.sleep(float(sys.argv[2]))
 top = {"lambda1": 1.0, "lambda3": 0.5, "M": 1.0, "R": 0.5, "theta": 0.5, "t": 2.0}
-sweep = Sweep("phi", {"omega3": Span(1, 60, 1000), "phi_dot": Span(-5, 5, 60)}, top)
+sweep = Sweep("phi", {"omega3": Span(1, 60, 500), "phi_dot": Span(-5, 5, 60)}, top)
 if __name__ == "__main__":
     run(sweep, sys.argv[1], block_size=1000, progress=progress)
 """
@@ -521,28 +506,22 @@ def test_few_blocks_are_on_their_way(tmp_path):
 
 
 def test_the_grid_is_never_in_memory(tmp_path):
-    grid = Sweep("theta_min", {"omega3": Span(0, 60, 1000), "phi_dot": Span(-5, 5, 400)}, TOP)
+    grid = Sweep("theta_min", {"omega3": Span(0, 60, 400), "phi_dot": Span(-5, 5, 400)}, TOP)
     run(SMALL, tmp_path / "small.npy")
     tracemalloc.start()
     try:
-        run(grid, tmp_path / "map.npy", Serial(), block_size=1 << 11, ahead=2)
+        run(grid, tmp_path / "map.npy", Serial(), block_size=1 << 9, ahead=2)
         peak = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()
-    assert (tmp_path / "map.npy").stat().st_size > 3_200_000
-    assert peak < 3_100_000
+    assert (tmp_path / "map.npy").stat().st_size > 1_280_000
+    assert peak < 1_240_000
 
 
 @pytest.mark.parametrize("ahead", [1, 2, 64])
 def test_blocks_that_are_done_at_the_same_time_are_not_the_last(tmp_path, ahead):
     found = run(SMALL, tmp_path / "map.npy", Serial(), block_size=20, ahead=ahead)
     assert np.array_equal(found.values, load(tmp_path / "map.npy").values)
-    assert np.array_equal(found.values.ravel(), block(SMALL, 0, 1000))
-
-
-def test_processes_give_the_same(tmp_path):
-    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
-        found = run(SMALL, tmp_path / "map.npy", pool, block_size=100)
     assert np.array_equal(found.values.ravel(), block(SMALL, 0, 1000))
 
 
@@ -573,7 +552,7 @@ def test_a_pool_that_breaks_can_be_resumed_from(tmp_path):
 def test_a_worker_of_a_cluster_is_killed_and_nothing_is_lost(tmp_path):
     from distributed import Client, LocalCluster
 
-    sweep = Sweep("phi", {"omega3": Span(1, 60, 200), "phi_dot": Span(-5, 5, 750)}, TOP | {"t": 2})
+    sweep = Sweep("phi", {"omega3": Span(1, 60, 100), "phi_dot": Span(-5, 5, 400)}, TOP | {"t": 2})
     killed, seen = [], []
     with (
         LocalCluster(
@@ -604,7 +583,7 @@ def test_a_worker_of_a_cluster_is_killed_and_nothing_is_lost(tmp_path):
     [(pid, waiting)] = killed
     assert waiting > 0
     assert pid not in left
-    assert sorted({*seen}) == list(range(0, 150_001, 1000))
+    assert sorted({*seen}) == list(range(0, 40_001, 1000))
     assert np.array_equal(found.values.ravel(), in_blocks(sweep, 1000))
 
 
