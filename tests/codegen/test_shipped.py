@@ -35,6 +35,12 @@ def test_shipped_equals_derived(name):
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_a_changed_rate_is_not_what_was_derived(name):
+    for ours, theirs in zip(shipped.symbolic(name), shipped.derived(name), strict=True):
+        assert reduce_ratio(ours * (1 + s.epsilon) - theirs) != 0
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_shipped_is_exact_on_symbols(name):
     assert not any(rate.has(Float) for rate in shipped.symbolic(name))
 
@@ -107,6 +113,13 @@ def turned_back(frame):
 
 def test_frame_without_spin_is_the_body_frame_turned_back():
     assert turned_back(shipped.symbolic("heavy_top")) == [0] * 7
+
+
+@pytest.mark.parametrize("row", range(6))
+def test_a_wrong_sign_in_the_frame_is_seen(row):
+    frame = list(shipped.symbolic("heavy_top"))
+    frame[row] = -frame[row]
+    assert turned_back(frame) != [0] * 7
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -3,6 +3,7 @@
 import dataclasses
 import importlib.util
 import math
+import subprocess
 import sys
 
 import numpy as np
@@ -164,6 +165,15 @@ def test_without_heyoka(monkeypatch):
     assert str(caught.value) == (
         "method 'taylor' needs heyoka: pip install 'rigidtop[taylor]' (wheels for Linux only)"
     )
+
+
+def test_heyoka_is_loaded_by_the_method_alone():
+    code = (
+        "import sys, rigidtop as rt; top = rt.HeavyTop(lambda1=1, lambda3=0.5, M=1, R=0.5);"
+        "top.motion(theta=0.5, omega3=40.0).integrate([0.0, 0.1]);"
+        "sys.exit('heyoka' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False, timeout=120).returncode == 0
 
 
 @needs_heyoka

@@ -113,7 +113,7 @@ def test_a_pendulum_comes_to_rest_within_the_band_of_its_hinge():
     assert run.drift()["energy balance"] < 1e-10
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=25, deadline=None)
 @example(start=0.0, speed=1e-190, kinetic=0.5, more=0.0)
 @given(
     start=st.floats(-2, 2),
