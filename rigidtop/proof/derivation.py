@@ -374,9 +374,8 @@ def _against_conditions(
         flattened(value)[0].is_negative for value in weak
     ):
         return _AGAINST
-    sums = (flattened(one + other)[0] for one in positive for other in (*positive, *weak))
-    if any(sympy.expand(each).is_nonpositive for each in sums):  # x > a and x < a
-        return _AGAINST
+    if any(one + other == 0 for one in positive for other in (*positive, *weak)):
+        return _AGAINST  # x > a and x < a
     for condition in conditions:
         if condition.relation in ("≠", ">") and {*values} & {*atoms_of(condition.expression)}:
             value = there.value(condition.expression)
