@@ -197,14 +197,17 @@ class _Parts:
             place = self._new(0, None, ())
         else:
             kernel, places = _kernel(node), [self.place(each) for each in _arguments(node)]
-            while node.is_Add or node.is_Mul:  # by two, so that the way to the end is short
-                pairs = [tuple(places[k : k + 2]) for k in range(0, len(places), 2)]
-                places = [self._joined(kernel, x) if len(x) == 2 else x[0] for x in pairs]
-                if len(places) == 1:
-                    break
-            place = places[0] if node.is_Add or node.is_Mul else self._joined(kernel, tuple(places))
+            joined = self._in_pairs if node.is_Add or node.is_Mul else self._joined
+            place = joined(kernel, tuple(places))
         self._places[node] = place
         return place
+
+    def _in_pairs(self, kernel: Kernel, places: tuple[int, ...]) -> int:
+        """A sum or a product of parts, by two of them at a time, so that the way to it is short."""
+        while len(places) > 1:
+            pairs = (places[k : k + 2] for k in range(0, len(places), 2))
+            places = tuple(self._joined(kernel, x) if len(x) == 2 else x[0] for x in pairs)
+        return places[0]
 
     def _joined(self, kernel: Kernel, places: tuple[int, ...]) -> int:
         place = self._places.get((kernel, places))

@@ -307,6 +307,7 @@ def _in_names_of(source: str, task: Task) -> Task:
 
 
 def _without_names(context: Context, named: Collection[Node]) -> Context:
+    """A context in which these letters are not what the pages call so."""
     dropped = {
         letter
         for letter, each in context.definitions.items()

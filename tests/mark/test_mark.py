@@ -496,7 +496,7 @@ def test_rounding_is_no_counterexample():
     [
         "so $\\dot\\theta$, θ̈ = φ̇ with it",
         r"\lambda_1\ddot\theta = -MgR\sin\theta",
-        "`λ₁θ̈ = 0`",
+        "`λ₁θ̈ = MgR`",
         "```\nλ₁θ̈ = 0\n```",
     ],
 )
