@@ -305,7 +305,7 @@ def _contradiction(
     if performed.order is not None:  # 0 ≈ 1 − ε says that ε is not small
         nothing = dict.fromkeys(performed.order.letters, 0)
         first = (x.subs(nothing) for x in apart)
-        apart += [x for x in first if x.is_finite is not False and not x.has(sympy.nan)]
+        apart += [x for x in first if not x.has(sympy.nan, sympy.zoo, sympy.oo)]
     if any(never_vanishes(x, conditions) for x in apart):
         return _AGAINST
     # A limit, such as g = 0, is set for a letter of which g > 0 is known.

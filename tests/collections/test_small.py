@@ -108,6 +108,8 @@ Add (1.2) to (1.1) => 2f = 0""",
 }
 FOLLOWS = {
     "another name for what is small": EXPANDED + r"Set $\varepsilon = v$ in it => y \approx 1 - vx",
+    "a division by what is small": EXPANDED
+    + r"Divide it by $\varepsilon$ => \frac y\varepsilon \approx \frac1\varepsilon - x",
     "a number for another letter": EXPANDED + r"Set $x = 3$ in it => y \approx 1 - 3\varepsilon",
     "a term with a minus before it": r"Neglect $\varepsilon x$ in the drag, for small "
     r"$\varepsilon$ => z \approx a",
