@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from sympy import Expr, Integer, MatrixBase, Symbol
 
@@ -246,9 +246,12 @@ def lagrange(
 ) -> list[Residual]:
     """Lagrange's equations of the first kind, with a multiplier for each tie of coordinates."""
     rests_on: frozenset[int] = frozenset()
+    against: list[Drag] = []
     try:
         if L is None:
-            L, rests_on, _ = lagrangian(context, memory)
+            L, rests_on, written = lagrangian(context, memory)
+            # Beside energies alone a force that is defined is one that acts.
+            against = [*drags(context, memory)] if written is None else []
     except UnclearError:
         return []
     L, tied = _in_rates(L, given, context.habits.moving)
@@ -266,10 +269,39 @@ def lagrange(
             if slope != 0:
                 gap -= Symbol(f"multiplier {k}", real=True) * slope
                 used |= tie.rests_on
+        for drag in (x for x in against if x.along == jet):
+            gap -= drag.force
+            used |= drag.rests_on
         forced = any(_has_force(gap, each) for each in given if each.kind == FORCED)
         if gap != 0 and gap.count_ops() <= LARGEST and not forced:
             made.append(Residual(gap, used, LAW))
     return made
+
+
+@dataclass(frozen=True)
+class Drag:
+    """A force along a coordinate that vanishes with its rate."""
+
+    along: Jet
+    force: Expr
+    rests_on: frozenset[int]
+
+
+def drags(context: Context, memory: Memory) -> Iterator[Drag]:
+    """The forces that a text defines by one velocity, as F_v = −c ẋ."""
+    for letter, definition in context.definitions.items():
+        if letter.base not in "Ff" or letter.bold:
+            continue
+        meaning = Meaning(context, memory)
+        try:
+            force = meaning.scalar(letter)
+        except UnclearError:
+            continue
+        rates = [(x, jet) for x, jet in jets(force).items() if jet.order]
+        match rates:
+            case [(speed, jet)] if jet.order == 1 and force.subs(speed, 0) == 0:
+                used = frozenset(meaning.used | {definition.number})
+                yield Drag(replace(jet, order=0), force, used)
 
 
 HAMILTONIANS = (Letter("H"), Letter("ℋ"), Letter("𝓗"))

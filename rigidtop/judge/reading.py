@@ -94,17 +94,17 @@ def _continued(read: Read) -> Read:
 
     What stands in brackets between comes before both.
     """
-    made: Read = []
+    text: Read = []
     for passage, each in read:
-        chain = next((k for k in range(len(made))[::-1] if not _is_aside(made[k][0])), None)
-        if chain is not None and _goes_on(passage, each, *made[chain]):
-            asides, last = made[chain + 1 :], made[chain]
-            made[chain:] = [*asides, last]
+        chain = next((k for k in range(len(text))[::-1] if not _is_aside(text[k][0])), None)
+        if chain is not None and _goes_on(passage, each, *text[chain]):
+            asides, last = text[chain + 1 :], text[chain]
+            text[chain:] = [*asides, last]
             match each, last[1]:
                 case Statement(sides), Statement((*_, link)):
                     each = replace(each, sides=(link, *sides[1:]), continues=True)
-        made.append((passage, each))
-    return made
+        text.append((passage, each))
+    return text
 
 
 def _goes_on(

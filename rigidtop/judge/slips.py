@@ -8,6 +8,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from rigidtop.judge.letters import is_mass
+from rigidtop.judge.particles import PARTICLES
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node, Number
 from rigidtop.tree.plain import plain
@@ -264,10 +265,6 @@ def _look_alike(one: str, other: str) -> bool:
     return neighbours or shapes or one.lower() == other.lower()
 
 
-_COUNTS = ("3", "⅓")
-"""The number of particles, as a factor."""
-
-
 def _times(
     side: Node,
     names: frozenset[Letter],
@@ -303,7 +300,9 @@ def _times(
 
     # How many particles are taken for a sum says nothing of the sum.
     counted = any(isinstance(x, n.Total) for x in n.walked(side))
-    factors = [x for x in factors if not (counted and x[1] in _COUNTS)]
+    number = Number(str(PARTICLES))
+    shares = (number, n.Quotient(Number("1"), number)) if counted else ()
+    factors = [x for x in factors if x[0] not in shares]
 
     def local(node: Node) -> Iterator[tuple[Node, str, float]]:
         for k, term in enumerate(_terms(node)):

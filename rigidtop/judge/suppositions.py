@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 from rigidtop.judge import neighbours, places, states
 from rigidtop.judge.context import SETTING, START, Constraint, Context, Definition
 from rigidtop.judge.habits import bare
-from rigidtop.judge.laws import LAGRANGIANS
-from rigidtop.judge.letters import CLOCK, FORCES
+from rigidtop.judge.laws import LAGRANGIANS, drags
+from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import (
@@ -83,7 +83,8 @@ def _possible(
         yield Supposition(statement, at, with_energy(begun, at.number, at.scope), lasts=True)
     if _accelerates(statement):
         lawless = not any(x in context.definitions for x in LAGRANGIANS)
-        if is_open and lawless and not (at.inline or at.instant or _is_damped(context)):
+        damped = any(drags(context, memory))
+        if is_open and lawless and not (at.inline or at.instant or damped):
             conserved = with_energy(context, at.number, at.scope)
             yield Supposition(statement, at, conserved, lasts=True, tells=at.derived)
         beside = neighbours.beside(statement, at, context, memory)
@@ -152,12 +153,6 @@ def _accelerates(statement: Statement) -> bool:
     """Whether a second rate stands in it."""
     nodes = (x for side in statement.sides for x in n.walked(side))
     return any(isinstance(x, n.Rate) and x.order == 2 for x in nodes)
-
-
-def _is_damped(context: Context) -> bool:
-    """Whether a force is known that depends on a velocity."""
-    forces = (d.node for x, d in context.definitions.items() if x.base in FORCES and not x.bold)
-    return any(isinstance(x, n.Rate) and x.order == 1 for node in forces for x in n.walked(node))
 
 
 def _without_potential(at: Situation, context: Context) -> Context | None:

@@ -21,7 +21,7 @@ from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import LAGRANGIANS
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
-from rigidtop.judge.reading import read_text
+from rigidtop.judge.reading import Read, read_text
 from rigidtop.judge.sides import NEARLY, ZERO
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import in_time
@@ -59,11 +59,12 @@ def mark(
         raise RigidtopError(f"an answer has no more than {LONGEST} characters, not {len(source)}")
     until = time.process_time() + altogether
     source = _CODE.sub(lambda match: f" {match[1]} ", source)
-    task = _in_names_of(source, task)
-    answer = _Answer.begun(source, task)
+    read, _ = read_text(source, until=until, plain=True)
+    task = _in_names_of(read, task)
+    answer = _Answer.begun(source, read, task)
     lines: list[Marked] = []
     line_of = places(source)
-    for position, each, situated in asserted(source, task, until):
+    for position, each, situated in asserted(source, read, task):
         at = line_of(position)[0]
         if len(lines) == MOST_LINES:
             why = f"more than {MOST_LINES} lines"
@@ -128,8 +129,7 @@ class _Answer:
     moment: str = ""
 
     @classmethod
-    def begun(cls, source: str, task: Task) -> _Answer:
-        read, _ = read_text(source, plain=True)
+    def begun(cls, source: str, read: Read, task: Task) -> _Answer:
         own = habits_of([each for _, each in read if isinstance(each, Statement)])
         contexts = tuple(_with_habits(context, own) for context in task.contexts)
         in_body = bool(_BODY.search(source))
@@ -292,12 +292,11 @@ def _is_of_numbers(each: Statement) -> bool:
     return not any(x.bold for side in each.sides for x in n.letters(side))
 
 
-def _in_names_of(source: str, task: Task) -> Task:
+def _in_names_of(read: Read, task: Task) -> Task:
     """A task in which functions that an answer gives itself, as U(θ), are not those of the pages.
 
     What each goal speaks of keeps its name.
     """
-    read, _ = read_text(source, plain=True)
     heads = (each.sides[0] for _, each in read if isinstance(each, Statement) and each.relations)
     named = {head(side) for side in heads if isinstance(side, n.Call)}
     spoken = [frozenset().union(*map(letters, goal)) for goal in task.goals]

@@ -7,40 +7,38 @@ and words of what is large reach on.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from rigidtop.judge.approximations import INFINITY
-from rigidtop.judge.context import Context
 from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time
-from rigidtop.judge.reading import Read, read_text
+from rigidtop.judge.reading import Read
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import declared_letters, situation
-from rigidtop.mark.arrival import head
-from rigidtop.mark.facts import TENSOR
+from rigidtop.mark.names import Names
 from rigidtop.mark.task import ALWAYS, Task, letters
 from rigidtop.read.document import problems
 from rigidtop.read.passages import Passage
 from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
-from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.nodes import Letter
 from rigidtop.tree.statement import Statement, Unread
 
 
 def asserted(
-    source: str, task: Task, until: float
+    source: str, read: Read, task: Task
 ) -> Iterator[tuple[int, Statement | Unread, Situation | str]]:
     """What an answer asserts, in the letters of its task, with the position where it stands.
 
     With it goes what the words around it say; with what is unread, what stands there.
     """
-    read, _ = read_text(source, until=until, plain=True)
     facts = ALWAYS.union(*(context.letters for context in task.contexts))
     read = _conditions_first(read, facts)
     for problem in problems(source):
         rest = source[problem.position : problem.position + 60].split("\n", 1)[0]
         yield problem.position, Unread(problem.position, problem.reason), rest
-    names, moments, large = declared_letters(source), instants(read), _behind_large(read)
+    names = Names.of(read, task.contexts)
+    declared, moments, large = declared_letters(source), instants(read), _behind_large(read)
     moments = [each or _only_there(k, read, facts) for k, each in enumerate(moments)]
     moving = frozenset().union(*(context.habits.moving for context in task.contexts))
     for number in _explained_first(read, facts):
@@ -53,12 +51,12 @@ def asserted(
             continue
         if is_time(each):
             continue  # a moment: what is said of it has its own place there
-        at = situation(passage, number, moments[number], False, names)
+        at = situation(passage, number, moments[number], False, declared)
         if _is_supposed(passage, each):
             at = at.hearing(Cue.CASE)
         if large[number]:
             at = replace(at, cues=at.cues - {Cue.SMALL, Cue.APPROXIMATED} | {Cue.LARGE})
-        statement, time = at_one_time(_in_letters_of(each, read, task.contexts), moving)
+        statement, time = at_one_time(names.in_facts(each), moving)
         at = replace(at, instant=at.instant if time is None else instant_at(time))
         yield position, statement, replace(at, closed=True)
 
@@ -187,65 +185,3 @@ def _only_there(k: int, read: Read, facts: Collection[Letter]) -> str:
         if j >= 0 and len(turned) == 2 and _has_condition(0, turned, facts):
             return f"there {turned[0][0].start}"
     return ""
-
-
-_VERTICAL = Letter("z", mark="hat", bold=True)
-_UPWARDS = (Letter("e", "z", "hat", bold=True), Letter("k", mark="hat", bold=True))
-"""Other names of the unit vector that points upwards."""
-_FUNCTION, _POTENTIAL = Letter("ℒ"), Letter("V")
-
-
-def _is_difference_of_energies(side: Node) -> bool:
-    """Whether it is T − V, or T − U."""
-    match side:
-        case n.Sum((Letter("T"), n.Negative(Letter("U" | "V")))):
-            return True
-    return False
-
-
-_TENSORS = ("I", "J", "Θ")
-"""Names of the tensor of inertia, where it stands before ω."""
-
-
-def _in_letters_of(each: Statement, read: Read, facts: Sequence[Context]) -> Statement:
-    """The statement in the letters of the facts: e₃ for the vector, ℒ for L with a derivative."""
-    of_facts = frozenset().union(*(context.letters for context in facts))
-    written = {head(x.sides[0]) for _, x in read if isinstance(x, Statement)}
-    lagrangians = {
-        x.sides[0]
-        for _, x in read
-        if isinstance(x, Statement) and any(map(_is_difference_of_energies, x.sides[1:]))
-    }
-    differentiated = {
-        n.ungrouped(x.of)
-        for _, other in read
-        if isinstance(other, Statement)
-        for side in other.sides
-        for x in n.walked(side)
-        if isinstance(x, n.Derivative)
-    }
-
-    def change(node: Node) -> Node:
-        match node:
-            case n.Product((Letter() as tensor, Letter("ω", bold=True) as omega)) | n.Dot(
-                Letter() as tensor, Letter("ω", bold=True) as omega
-            ) if tensor.base in _TENSORS and not tensor.sub and tensor not in of_facts:
-                return n.Product((TENSOR, omega))
-        if not isinstance(node, Letter):
-            return node
-        if node == Letter("L") and node in differentiated | lagrangians and _FUNCTION in of_facts:
-            return _FUNCTION
-        if node == Letter("U") and node not in of_facts | written and _POTENTIAL in of_facts:
-            return _POTENTIAL
-        if node not in of_facts and node not in written:
-            if replace(node, bold=True, mark="hat") in _UPWARDS and _VERTICAL in of_facts:
-                return _VERTICAL
-            for mark in (node.mark, node.mark.replace("hat", "")):
-                bold = replace(node, bold=True, mark=mark)
-                if bold in of_facts:
-                    return bold
-        if node.sub == "t" and node not in of_facts and replace(node, sub="") in of_facts:
-            return n.Rate(replace(node, sub=""), 1, True)  # θ_t for θ̇
-        return node
-
-    return replace(each, sides=tuple(n.mapped(side, change) for side in each.sides))

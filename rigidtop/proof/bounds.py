@@ -5,7 +5,7 @@ Factors of known sign decide; the answer "yes" is a proof, "no" is that it is no
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import sympy
 from sympy import Expr, Matrix
@@ -58,6 +58,26 @@ def positive(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
         return True
     # A condition may bound a product that stands in the ratio as a whole.
     return any(_sign(reduce_ratio(ratio / fact), conditions) == 1 for fact in _facts(conditions))
+
+
+def sign(expression: Expr, conditions: Sequence[Relational] = ()) -> int:
+    """1 or −1 where an expression is shown to have this sign, else 0."""
+    return next((k for k in (1, -1) if positive(k * expression, conditions)), 0)
+
+
+def without_bars(expression: Expr, sign_of: Callable[[Expr], int]) -> Expr:
+    """An expression with x or −x for each |x| of which the sign is known.
+
+    >>> x, y = sympy.symbols("x y", real=True)
+    >>> without_bars(abs(x) + abs(y), lambda size: -1 if size == x else 0)
+    -x + Abs(y)
+    """
+
+    def bare(size: Expr) -> Expr:
+        known = sign_of(size)
+        return known * size if known else sympy.Abs(size)
+
+    return expression.replace(sympy.Abs, bare)
 
 
 def _is_negative_somewhere(expression: Expr, conditions: Sequence[Relational]) -> bool:

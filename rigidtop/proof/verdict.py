@@ -330,9 +330,4 @@ def _covered(divisor: Expr, equal: Mapping[Expr, Expr], conditions: Sequence[Rel
 
 
 def _without_bars(expression: Expr, conditions: Sequence[Relational]) -> Expr:
-    """|x| as x or −x where the conditions give its sign."""
-    for bars in expression.atoms(sympy.Abs):
-        for sign in (1, -1):
-            if bounds.positive(sign * bars.args[0], conditions):
-                expression = expression.subs(bars, sign * bars.args[0])
-    return expression
+    return bounds.without_bars(expression, lambda x: bounds.sign(x, conditions))

@@ -271,7 +271,7 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"|twice as|doubled?|\w+ times (?:as|the)|halved?|half of"
         r"|an? (?:third|quarter|fifth|sixth|tenth) of"
         r"|(?:stiffer|weaker|heavier|lighter|longer|shorter)(?! than)"
-        r"|different|modified|exchanged|replaced|relative (?:motion|distance)|drift\w*|removed"
+        r"|different|exchanged|replaced|relative (?:motion|distance)|drift\w*|removed"
         r"|shorten\w*|cut|torn|taken off|loaded|glued|blocked|unloaded)\b",
         r"\b(?:in (?:a row|series|parallel)|side by side|next to each other|seen (?:from|by)"
         r"|observer|in the frame|cent(?:re|er) of mass|moon|vacuum|under water|lift that"

@@ -200,3 +200,12 @@ def test_a_prime_may_be_a_rate():
     text = r"$$ \frac{dx}{dt} = 2 - x $$ We let $u = x + 3$. Then "
     assert judged(text + "$$ u' = 5 - u $$")[-1].outcome.passed
     assert not judged(text + "$$ u' = 4 - u $$")[-1].outcome.passed
+
+
+def test_a_force_of_friction_acts_beside_energies():
+    text = r"$V=\frac12kx^2$ and $K=\frac12m\dot x^2$, with $$E=K+V.$$ There is a force "
+    text += (
+        r"$F_v=-c\dot x$. The equation of motion is $$ \ddot x+\frac{c}{m}\dot x+\frac km x=0 $$"
+    )
+    assert judged(text)[-1].outcome.passed
+    assert judged(text.replace("{c}{m}", "{2c}{m}"))[-1].outcome.passed is False

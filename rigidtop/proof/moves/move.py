@@ -100,6 +100,10 @@ class Condition:
     lost: bool = False
 
 
+SIZES = ("small", "large")
+"""Relations that say of what size something is."""
+
+
 @dataclass(frozen=True)
 class Pair:
     """Two values with a relation between them."""
@@ -137,6 +141,13 @@ class Known:
     @property
     def tag(self) -> str:
         return next((e.tag for e in self.equations if e.tag), "")
+
+    @property
+    def sizes(self) -> dict[Expr, str]:
+        """What has to be "small" or "large" where they hold, as letters."""
+        small = self.order.letters if self.order is not None else ()
+        told = {c.expression: c.relation for c in self.conditions if c.relation in SIZES}
+        return {**dict.fromkeys(small, "small"), **told}
 
 
 @dataclass(frozen=True)

@@ -108,12 +108,7 @@ def stays_small(known: Known, given: Mapping[Expr, Value], letters: Letters) -> 
     The rest that was left out is small for fixed values of all other letters: not where they go to
     zero, or grow, as that becomes small, nor where it is a number, or one of them.
     """
-    sizes = {x: 1 for x in (known.order.letters if known.order else ()) if x != NEGLECTED}
-    sizes |= {
-        c.expression: 1 if c.relation == "small" else -1
-        for c in known.conditions
-        if c.relation in ("small", "large")
-    }
+    sizes = {x: size for x, size in known.sizes.items() if x != NEGLECTED}
     if not sizes:
         return
     sides = (side for pair in said_pairs(known, Algebra(letters)) for side in pair.sides)
@@ -122,7 +117,7 @@ def stays_small(known: Known, given: Mapping[Expr, Value], letters: Letters) -> 
         if isinstance(value, (Vector, MatrixBase)) or atom not in standing or value == 0:
             continue
         if atom in sizes:
-            size = "small" if sizes[atom] > 0 else "large"
+            size = sizes[atom]
             if value.is_number:
                 raise RefusedError(f"{{}} is {size} in {{}}: it can't be set", atom, name_of(known))
             others = sorted({*atoms_of(value)} & standing - {atom}, key=str)
@@ -131,10 +126,11 @@ def stays_small(known: Known, given: Mapping[Expr, Value], letters: Letters) -> 
                     f"{{}} is {size} in {{}}, whatever {{}} is: it can't be set so",
                     *(atom, name_of(known), others[0]),
                 )
-        for x, sign in sizes.items():
+        for x, size in sizes.items():
             whole = flattened(_written_out(value, letters, x))[0]
             if atom != x and whole.has(x):
-                far, near = (_number(whole, (x,), sign * depth) for depth in DEPTHS)
+                depths = (depth if size == "small" else -depth for depth in DEPTHS)
+                far, near = (_number(whole, (x,), depth) for depth in depths)
                 if not abs(near / far - 1) < _SETTLED:
                     raise RefusedError(
                         "with {} = {} it changes with {}: what is left out of {} need not be small",

@@ -102,11 +102,7 @@ def _set_to(move: Move, algebra: Algebra) -> Performed:
 
 def _small_too(known: Known, given: Mapping[Expr, Value]) -> tuple[Condition, ...]:
     """That a letter is small, or large, as what is small or large in an equation is set to it."""
-    sizes = dict.fromkeys(known.order.letters if known.order else (), "small")
-    sizes |= {
-        c.expression: c.relation for c in known.conditions if c.relation in ("small", "large")
-    }
-    values = ((given[x], size) for x, size in sizes.items() if x in given)
+    values = ((given[x], size) for x, size in known.sizes.items() if x in given)
     letters = ((value.as_coeff_Mul()[1], size) for value, size in values if isinstance(value, Expr))
     return tuple(Condition(x, size) for x, size in letters if isinstance(x, Symbol))
 

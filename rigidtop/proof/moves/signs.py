@@ -61,18 +61,13 @@ def _root_of(value: Expr, conditions: Sequence[Condition]) -> Expr:
 
 def without_bars(value: Expr, conditions: Sequence[Condition]) -> Expr:
     """A value with x or −x for |x|, where a condition says which it is."""
-
-    def bare(x: Expr) -> Expr:
-        sign = _known_sign(x, conditions)
-        return sign * x if sign else sympy.Abs(x)
-
-    return value.replace(sympy.Abs, bare)
+    return bounds.without_bars(value, lambda x: _known_sign(x, conditions))
 
 
 def _known_sign(base: Expr, conditions: Sequence[Condition]) -> int:
     """1 or −1 where a condition says so, else 0."""
     strict = [c for c in conditions if c.relation == ">"]
-    return next((k for k in (1, -1) if bounds.positive(*flat_with(k * base, strict))), 0)
+    return bounds.sign(*flat_with(base, strict))
 
 
 def sign(move: Move, algebra: Algebra) -> Performed:

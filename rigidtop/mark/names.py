@@ -1,0 +1,96 @@
+"""What an answer calls the things of its facts: **e**₃ or e₃, L or ℒ, U or V, J ω or **L**."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from rigidtop.judge.context import Context
+from rigidtop.judge.reading import Read
+from rigidtop.mark.arrival import head
+from rigidtop.mark.facts import TENSOR
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.statement import Statement
+
+_VERTICAL = Letter("z", mark="hat", bold=True)
+_ALIASES = {
+    Letter("U"): Letter("V"),
+    Letter("e", "z", bold=True): _VERTICAL,
+    Letter("e", "z", "hat"): _VERTICAL,
+    Letter("e", "z", "hat", bold=True): _VERTICAL,
+    Letter("k", mark="hat"): _VERTICAL,
+    Letter("k", mark="hat", bold=True): _VERTICAL,
+}
+"""Other names that are usual for letters of the facts."""
+
+_TENSORS = frozenset("IJΘ")
+"""Names of the tensor of inertia, where it stands before ω."""
+
+_LENGTH, _LAGRANGIAN = Letter("L"), Letter("ℒ")
+"""L is the length of **L**, if it is not the Lagrangian."""
+
+
+@dataclass(frozen=True)
+class Names:
+    """The letters of the facts, those that an answer defines itself, and whether L is ℒ there."""
+
+    facts: frozenset[Letter]
+    defined: frozenset[Node]
+    has_lagrangian: bool
+
+    @classmethod
+    def of(cls, read: Read, contexts: Iterable[Context]) -> Names:
+        """The names of an answer that has been read, beside the facts of some contexts."""
+        stated = [each for _, each in read if isinstance(each, Statement)]
+        facts = frozenset().union(*(context.letters for context in contexts))
+        defined = frozenset(head(each.sides[0]) for each in stated)
+        return cls(facts, defined, _LAGRANGIAN in facts and any(map(_has_lagrangian, stated)))
+
+    def in_facts(self, each: Statement) -> Statement:
+        """A statement in the letters of the facts."""
+        return replace(each, sides=tuple(n.mapped(side, self._meant) for side in each.sides))
+
+    def _meant(self, node: Node) -> Node:
+        match node:
+            case n.Product((Letter() as tensor, Letter("ω", bold=True) as omega)) | n.Dot(
+                Letter() as tensor, Letter("ω", bold=True) as omega
+            ) if tensor.base in _TENSORS and not tensor.sub and tensor not in self.facts:
+                return n.Product((TENSOR, omega))
+            case Letter():
+                return self._letter(node)
+        return node
+
+    def _letter(self, letter: Letter) -> Node:
+        if letter == _LENGTH and self.has_lagrangian:
+            return _LAGRANGIAN
+        if letter in self.facts:
+            return letter
+        if letter not in self.defined:
+            bold = [replace(letter, bold=True, mark=x) for x in (letter.mark, _hatless(letter))]
+            usual = (*bold, _ALIASES.get(letter))
+            known = next((x for x in usual if x in self.facts), None)
+            if known is not None:
+                return known
+        bare = replace(letter, sub="")
+        # θ_t is θ̇.
+        return n.Rate(bare, 1, True) if letter.sub == "t" and bare in self.facts else letter
+
+
+def _hatless(letter: Letter) -> str:
+    return letter.mark.replace("hat", "")
+
+
+def _has_lagrangian(each: Statement) -> bool:
+    """Whether L is differentiated, or said to be T − V or T − U."""
+    nodes = [node for side in each.sides for node in n.walked(side)]
+    if any(isinstance(x, n.Derivative) and n.ungrouped(x.of) == _LENGTH for x in nodes):
+        return True
+    return each.sides[0] == _LENGTH and any(map(_is_difference_of_energies, each.sides[1:]))
+
+
+def _is_difference_of_energies(side: Node) -> bool:
+    match side:
+        case n.Sum((Letter("T"), n.Negative(Letter("U" | "V")))):
+            return True
+    return False
