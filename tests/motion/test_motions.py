@@ -23,7 +23,7 @@ def start_of(theta):
     return TOP.motion(theta=theta, **START)
 
 
-@pytest.mark.parametrize("theta", [0.5, 1e-6, math.pi])
+@pytest.mark.parametrize("theta", [0.5, 1e-6, math.pi - 1e-6, 0.0, math.pi])
 def test_fast_top_keeps_energy_and_momenta(theta):
     run = start_of(theta).integrate(np.linspace(0, 20, 401), rtol=1e-12)
     assert set(run.drift()) == {"energy", "p_phi", "p_psi"}

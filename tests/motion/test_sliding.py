@@ -176,10 +176,10 @@ def test_strong_viscous_friction_tends_to_a_fixed_pivot():
         path = motion.integrate(times, method="Radau", rtol=1e-9, atol=1e-11)
         return np.abs(path.theta - held.theta).max()
 
-    errors = np.array([error(viscosity) for viscosity in (1e3, 1e4)])
+    errors = np.array([error(viscosity) for viscosity in (1e3, 1e4, 1e5)])
     orders = np.log10(errors[:-1] / errors[1:])
-    assert orders == pytest.approx([1], abs=0.05)
-    assert errors[-1] < 1e-3
+    assert orders == pytest.approx([1, 1], abs=0.05)
+    assert errors[-1] < 1e-4
 
 
 # --- What is kept, and what is lost --------------------------------------------------------------
