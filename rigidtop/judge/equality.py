@@ -33,6 +33,7 @@ from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.numbers import A_MINUTE, are_numbers, compared
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, UNDECIDED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
+from rigidtop.judge.rest import staying
 from rigidtop.judge.sides import ZERO, letters_of, own_letters
 from rigidtop.judge.values import UnclearError
 from rigidtop.judge.worlds import Worlds
@@ -92,6 +93,12 @@ def _judged(question: Question) -> Judgement:
             kind = SETTING if _is_special(question) else SUPPOSED
             return outcome, context.holding(question.constraint(kind))
         return outcome, context.defining(path.letter, path.definition)
+    still = staying(question)
+    if still is not None:
+        other = question.within(still)
+        if other.worlds.count and other.worlds.holds(other.both):
+            outcome, _ = other.follows()
+            return outcome, question.follows()[1]
     return _failed(question, holds)
 
 

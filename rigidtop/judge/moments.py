@@ -35,6 +35,9 @@ _AGAIN = re.compile(
     r"|(?:^|[.;¶] ?)(?:there|dort|là)\b",
     re.I,
 )
+_THAT_IS = re.compile(
+    r"\b(?:i\. ?e\.|that is|that means|d\. ?h\.|das heißt|c['’]est-à-dire)[ ,:(]*\Z", re.I
+)
 _AFTER = re.compile(
     r"\b(?:in|after|at|within|nach|zur|bei|à|après|au bout)(?: [\w'-]+){0,3} ?\Z", re.I
 )
@@ -77,7 +80,8 @@ class _Words:
 
     `spoken` is the latest one of this sentence.
     It is given by the `place`, a letter that has a value then, or by a time; `any_time` says that
-    the sentence speaks of all times, `clocked` that it has said which time is meant.
+    the sentence speaks of all times, `clocked` that it has said which time is meant, and `called`
+    is the instant of what is written with its time, as x(0).
     """
 
     now: str = ""
@@ -88,6 +92,7 @@ class _Words:
     place: Node | None = None
     any_time: bool = False
     clocked: bool = False
+    called: str = ""
     display: bool = False
 
     def hear(self, passage: Passage, each: Statement | Unread, moving: frozenset[Letter]) -> None:
@@ -99,7 +104,7 @@ class _Words:
         if passage.sentence != self.sentence:
             self.sentence, self.before, self.now = passage.sentence, self.now, ""
             self.spoken = ""
-            self.place, self.any_time, self.clocked = None, False, False
+            self.place, self.any_time, self.clocked, self.called = None, False, False, ""
         if isinstance(each, Statement) and _is_anywhere(each, passage):
             self.any_time, self.now = True, ""  # he has at the angle θ
         self.any_time |= isinstance(each, Statement) and _is_any(each, moving)
@@ -107,6 +112,8 @@ class _Words:
             self.now = ""
         elif Cue.REST in cues and not passage.display and _is_start_value(each, moving):
             self.now = START  # let it start from rest with u = b
+        elif self.called and _THAT_IS.search(passage.before):
+            self.now = self.called
         elif Cue.MOMENT in cues and _AGAIN.search(passage.before):
             self.now = self.before or self.now
         elif Cue.MOMENT in cues and not self.any_time:
@@ -122,6 +129,9 @@ class _Words:
         if isinstance(each, Statement) and is_time(each):
             spoken = _AFTER.search(passage.before)
             self.now, self.clocked = self.now or (f"s{self.sentence}" if spoken else ""), True
+        if isinstance(each, Statement):
+            _, time = at_one_time(each, moving)
+            self.called = self.called if time is None else instant_at(time)
 
     def starts_with(self, each: Statement) -> bool:
         """Whether a statement says that the time is zero now, where the motion begins."""
