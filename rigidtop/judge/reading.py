@@ -11,6 +11,7 @@ from itertools import zip_longest
 from math import inf
 from typing import Final
 
+from rigidtop.judge.differentials import in_rates
 from rigidtop.judge.habits import functions_of, has_length
 from rigidtop.read.macros import Macro, Macros, customary, defined
 from rigidtop.read.passages import Passage, passages
@@ -59,12 +60,13 @@ def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -
         for each in _read(passage, own, until, known, lettered)
     ]
     read = _continued(_written_for(read))
+    read = [*zip((x for x, _ in read), in_rates(x for _, x in read), strict=True)]
     table = str.maketrans(_shapes(each for _, each in read))
     return [(passage, _folded(each, table)) for passage, each in read] if table else read
 
 
 _WRITES = re.compile(r"\b(?:write|writing|put|use|abbreviate|schreiben?|écri\w+|note)\b", re.I)
-_FOR = re.compile(r"\s*(?:for|für|pour|instead of|statt)\s*§")
+_FOR = re.compile(r"\s*(?:for|für|pour|instead of|statt)\s*(?:§|\Z)")
 
 
 def _written_for(read: Read) -> Read:
@@ -72,13 +74,14 @@ def _written_for(read: Read) -> Read:
     made: list[tuple[Passage, Statement | Unread]] = []
     writing = -1  # the sentence that says so
     for passage, each in read:
-        if made and isinstance(each, Statement) and len(each.sides) == 1:
+        if made and isinstance(each, Statement) and {*each.relations} <= {"="}:
             before, last = made[-1]
             says = _WRITES.search(before.before) or writing == before.sentence
             named = says and _FOR.match(before.behind) and before.sentence == passage.sentence
             if named and isinstance(last, Statement) and len(last.sides) == 1:
                 writing = before.sentence
-                said = Statement((*last.sides, *each.sides), ("=",), last.position)
+                relations = ("=", *each.relations)
+                said = Statement((*last.sides, *each.sides), relations, last.position)
                 made[-1] = replace(before, cues=before.cues | {Cue.DEFINED}), said
                 continue
         made.append((passage, each))
