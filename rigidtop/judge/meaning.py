@@ -201,9 +201,13 @@ def _taken(meaning: Meaning, node: n.Component) -> Value:
     return value[names.index(node.index)]
 
 
+AT_REST, IN_BODY = ("space", "inertial", "fixed"), ("body", "rot")
+"""How the names of frames begin that do not turn, and of those that turn with **ω**."""
+
+
 def _rate_of(meaning: Meaning, node: n.Rate) -> Value:
-    if node.frame and not node.frame.startswith(("space", "inertial", "fixed")):
-        if not node.frame.startswith(("body", "rot")):
+    if node.frame and not node.frame.startswith(AT_REST):
+        if not node.frame.startswith(IN_BODY):
             raise UnclearError(f"a rate seen from {node.frame}")
         vector = meaning.value(node.of)
         turning = meaning.value(Letter("ω", bold=True))

@@ -18,7 +18,12 @@ def is_vector(letter: Letter) -> bool:
 def component_of(letter: Letter) -> n.Dot:
     """What a letter is by its name, if it is a component: the vector times a unit vector."""
     axis = Letter("e", letter.sub.rstrip("′"), "′" * letter.sub.count("′"), True)
-    return n.Dot(replace(letter, sub="", bold=True), axis)
+    return n.Dot(vector_of(letter), axis)
+
+
+def vector_of(letter: Letter) -> Letter:
+    """The vector of which a letter is a component by its name."""
+    return replace(letter, sub="", bold=True)
 
 
 def is_component(letter: Letter, vector: Letter) -> bool:

@@ -19,6 +19,7 @@ from rigidtop.judge.context import LAW, SETTING, START, Constraint, Context, Def
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import LAGRANGIANS
+from rigidtop.judge.meaning import AT_REST, IN_BODY
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import Read, read_text
@@ -110,9 +111,10 @@ class _Answer:
     `contexts` are the task's with what the answer has set and named, and `names` what letters are
     called, which is asked where a line follows from nothing else; `believed` is what would hold
     if the first wrong line were right.  `sound` are the equalities that follow, `momentary` those
-    of them that are said of one moment, `chain` the sides of the last chain, and `lost` what a
-    right line leaves out; `in_body`: dots on vectors may be rates as they are seen from the body.
-    `moment` is the instant of which the last line speaks.
+    of them that are said of one moment or suppose a case, `chain` the sides of the last chain, and
+    `lost` what a right line leaves out; `in_body`: dots on vectors may be rates as they are seen
+    from the body.  `moment` is the instant of which the last line speaks, and `aside` what is known
+    in a case of which only the sentence with the number `aside_sentence` speaks.
     """
 
     judge: Judge
@@ -127,6 +129,8 @@ class _Answer:
     carried: bool = False
     in_body: bool = False
     moment: str = ""
+    aside: Context | None = None
+    aside_sentence: int = -1
 
     @classmethod
     def begun(cls, source: str, read: Read, task: Task) -> _Answer:
@@ -163,6 +167,9 @@ class _Answer:
         if unclear and not self.believed:
             searched = judged((*self.contexts, self.names), self.judge)
             outcome = next((o for o, _ in searched if o.slip), outcome)
+        there, aside = self._beside(each, at, outcome, limits)
+        is_aside = there.passed or there.verdict == PREMISE
+        outcome = there if is_aside else outcome
         if outcome.verdict == FALSE and self._holds_then(each, at, limits):
             outcome = Outcome(UNDECIDED, "it holds at the moment of which the line before speaks")
         believed, carried = self.believed, False
@@ -174,11 +181,13 @@ class _Answer:
             believed = tuple(_believing(context, each) for context in self.contexts)
         chain = (*self.chain, *each.sides[1:]) if each.continues and self.chain else each.sides
         sound, momentary = self.sound, self.momentary
-        started = at.instant == START  # it holds at the start alone
-        if outcome.passed is not False and outcome.verdict != UNDECIDED and not started:
+        passes = outcome.passed is not False and outcome.verdict != UNDECIDED
+        # What is said of the start, or of a case of its own, holds there alone.
+        if passes and not (at.instant == START or is_aside):
             said = equalities(chain, each)
             sound = (*sound, *said)
-            momentary = (*momentary, *said) if at.instant else momentary
+            is_case = at.supposed and outcome.verdict == PREMISE
+            momentary = (*momentary, *said) if at.instant or is_case else momentary
         special = bool(outcome.passed) and place == len(self.contexts) - 1
         lost = self._lost(each) if special else ()
         answer = replace(
@@ -192,6 +201,8 @@ class _Answer:
             lost=tuple(dict.fromkeys((*self.lost, *lost))),
             carried=carried,
             moment=at.instant or (self.moment if outcome.verdict == UNDECIDED else ""),
+            aside=aside,
+            aside_sentence=at.sentence,
         )
         return answer, outcome, place
 
@@ -209,6 +220,24 @@ class _Answer:
                 each, judgements = other, again
         return each, judgements
 
+    def _beside(
+        self, each: Statement, at: Situation, outcome: Outcome, limits: _Limits
+    ) -> tuple[Outcome, Context | None]:
+        """What becomes of it in a case that only its sentence is about, and what is known there.
+
+        It is a case that laws exclude, as θ = 0, where the equations for φ and ψ divide by zero.
+        """
+        aside = self.aside if at.sentence == self.aside_sentence else None
+        begins = aside is None and not each.continues and (at.supposed or bool(at.instant))
+        if outcome.verdict != FALSE or (aside is None and not begins):
+            return Outcome(UNDECIDED), aside
+        known = aside or _without_facts(self.contexts[0])
+        quick = Judge(self.judge.memory, patience=Patience(0))
+        [(there, known)] = _judged(quick, each, at, [known], limits)
+        if begins and there.verdict != PREMISE:
+            return Outcome(UNDECIDED), None
+        return there, known
+
     def _holds_then(self, each: Statement, at: Situation, limits: _Limits) -> bool:
         """Whether it is right at the moment, if there is one, of which the line before speaks."""
         if not self.moment or at.instant:
@@ -222,6 +251,8 @@ class _Answer:
         with_vector = _with_vector(each, self.contexts)
         if with_vector is not None:
             yield with_vector, UNDECIDED
+        if (turning := _in_its_frame(each)) is not None:
+            yield turning, UNDECIDED
         in_body = _in_body(each) if self.in_body else None
         if in_body is not None:
             yield in_body, FALSE
@@ -252,6 +283,33 @@ def _in_body(each: Statement) -> Statement | None:
         match node:
             case n.Rate(Letter(bold=True), frame=""):
                 return replace(node, frame="body")
+        return node
+
+    sides = tuple(n.mapped(side, seen) for side in each.sides)
+    return replace(each, sides=sides) if sides != each.sides else None
+
+
+def _without_facts(context: Context) -> Context:
+    """A context with what the answer itself has set, and with no law."""
+    own = tuple(c for c in context.constraints if c.number >= 0)
+    return replace(context, constraints=own, lawless=True)
+
+
+def _in_its_frame(each: Statement) -> Statement | None:
+    """The statement where a frame with a name of the answer's own turns with what stands beside it.
+
+    Of (dA/dt)_frame + w × A that is w.
+    """
+    nodes = [node for side in each.sides for node in n.walked(side)]
+    crossed = [(x.left, x.right) for x in nodes if isinstance(x, n.Cross)]
+
+    def seen(node: Node) -> Node:
+        match node:
+            case n.Rate(of, 1, _, frame) if frame and not frame.startswith((*AT_REST, *IN_BODY)):
+                beside = {b if a == of else a for a, b in crossed if of in (a, b)}
+                if len(beside) == 1:
+                    moved = n.Negative(n.Cross(beside.pop(), of))
+                    return n.Group(n.Sum((n.Rate(of, dotted=True), moved)))
         return node
 
     sides = tuple(n.mapped(side, seen) for side in each.sides)

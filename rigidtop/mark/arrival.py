@@ -11,13 +11,13 @@ from contextlib import suppress
 from dataclasses import replace
 from itertools import combinations, islice, pairwise
 
-from sympy import Expr, ImmutableMatrix, Integer, MatrixBase, Rational, nan, zoo
+from sympy import Abs, Expr, ImmutableMatrix, Integer, MatrixBase, Rational, Symbol, nan, zoo
 
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import Context, Habits
-from rigidtop.judge.jets import Jet, jets, rate, symbol
+from rigidtop.judge.jets import Jet, jet_of, jets, rate, symbol
 from rigidtop.judge.meaning import Meaning
-from rigidtop.judge.names import component_of
+from rigidtop.judge.names import component_of, vector_of
 from rigidtop.judge.sides import EQUALS, NEARLY, has_components
 from rigidtop.judge.values import UnclearError, pairs, plain
 from rigidtop.judge.vocabulary import Meant, Memory
@@ -101,13 +101,16 @@ def comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> b
     names = _names_in(goal, context)
     names |= _also_called(_letters(goal) | names, sound)
     allowed = _spelt(_letters(goal), context) | {*own} | names
+    allowed |= {replace(x, bold=True) for x in allowed & context.habits.lengths}
     vectors = {x.base for x in allowed if x.bold and not x.sub}
     allowed |= {x for each in sound for x in _letters(each) if x.base in vectors and x.sub}
     said = [each for each in sound if _is_said_in(each, allowed, goal)]
     if not said:
         return False
     named = (_letters(goal) | names) & context.definitions.keys() - own.keys()
-    spoken = frozenset().union(*map(_letters, said)) & named
+    written = frozenset().union(*map(_letters, said))
+    # Who says what the components are has said what the vector is.
+    spoken = (written | {vector_of(x) for x in written if x.sub}) & named
     heads = spoken & {head(goal.sides[0])}
     # What only the pages on the way to a goal say of its left side is to be said.
     here = _letters(goal.sides[0]) & named
@@ -131,13 +134,14 @@ def _without(letters: frozenset[Letter], context: Context) -> Context:
     for letter in letters:
         with suppress(UnclearError):
             value = Meaning(context, Memory()).value(letter)
-            if isinstance(value, MatrixBase) and not letter.bold:
-                entries = [symbol(Jet(letter, 0, (k,))) for k in range(len(value))]
-                made = Meant(ImmutableMatrix(*value.shape, entries))
-                kept[letter] = replace(context.definitions[letter], node=made)
+            if isinstance(value, MatrixBase):
+                if not letter.bold:
+                    entries = [symbol(Jet(letter, 0, (k,))) for k in range(len(value))]
+                    made = Meant(ImmutableMatrix(*value.shape, entries))
+                    kept[letter] = replace(context.definitions[letter], node=made)
                 for each in {*kept} - letters:
                     along = component_of(each)
-                    if along.left == letter and along.right in kept:
+                    if vector_of(each) == letter and along.right in kept:
                         kept[each] = replace(kept[each], node=along)
     habits = replace(context.habits, moving=context.habits.moving | letters)
     return replace(context, definitions=kept, habits=habits, constraints=(), lawless=True)
@@ -198,7 +202,7 @@ def _same(goal: Statement, said: Sequence[Statement], context: Context) -> bool 
     for node in context.not_zero:
         with suppress(UnclearError):
             apart.append(Meaning(context, Memory()).scalar(node))
-    flat = plain([*asked, *given, *apart])
+    flat = [_without_bars(x, context) for x in plain([*asked, *given, *apart])]
     count = len(asked), len(asked) + len(given)
     asked, given, apart = flat[: count[0]], flat[count[0] : count[1]], flat[count[1] :]
     letters = w.symbols_of(flat)
@@ -210,6 +214,19 @@ def _same(goal: Statement, said: Sequence[Statement], context: Context) -> bool 
     # Where a product vanishes it may be for another factor.
     size = Rational(7, 10)
     return not any(w.found([*given, gap - size], letters, (), apart).count for gap in asked)
+
+
+def _without_bars(expression: Expr, context: Context) -> Expr:
+    """The same with a letter for its amount where it does not move: then it is positive."""
+    put = {
+        each: each.args[0]
+        for each in expression.atoms(Abs)
+        if isinstance(each.args[0], Symbol)
+        and (jet := jet_of(each.args[0])) is not None
+        and not jet.order
+        and jet.letter not in context.habits.moving
+    }
+    return expression.xreplace(put)
 
 
 def holds_on(
@@ -263,6 +280,7 @@ def _is_said_in(each: Statement, allowed: frozenset[Letter], goal: Statement) ->
         return False
     derived = (n.Derivative, n.Integral, n.Total)
     of_goal = any(isinstance(x, derived) for side in goal.sides for x in n.walked(side))
+    of_goal |= any(isinstance(side, n.Constant) for side in goal.sides)  # a rate that vanishes
     if not of_goal and any(isinstance(x, derived) for s in each.sides for x in n.walked(s)):
         return False
     return _letters(each) - ALWAYS <= allowed

@@ -11,15 +11,18 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from rigidtop.judge.approximations import INFINITY
+from rigidtop.judge.context import Context
 from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time
 from rigidtop.judge.reading import Read
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import declared_letters, situation
+from rigidtop.mark.angles import with_angles
 from rigidtop.mark.names import Names
 from rigidtop.mark.task import ALWAYS, Task, letters
 from rigidtop.read.document import problems
 from rigidtop.read.passages import Passage
 from rigidtop.read.phrases import Cue
+from rigidtop.read.walk import STRUCK
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter
 from rigidtop.tree.statement import Statement, Unread
@@ -33,14 +36,16 @@ def asserted(
     With it goes what the words around it say; with what is unread, what stands there.
     """
     facts = ALWAYS.union(*(context.letters for context in task.contexts))
-    read = _conditions_first(read, facts)
+    read = _conditions_first(with_angles(read, facts), facts)
     for problem in problems(source):
+        if problem.reason == STRUCK:
+            continue
         rest = source[problem.position : problem.position + 60].split("\n", 1)[0]
         yield problem.position, Unread(problem.position, problem.reason), rest
     names = Names.of(read, task.contexts)
-    declared, moments, large = declared_letters(source), instants(read), _behind_large(read)
-    moments = [each or _only_there(k, read, facts) for k, each in enumerate(moments)]
-    moving = frozenset().union(*(context.habits.moving for context in task.contexts))
+    declared, large = declared_letters(source), _behind_large(read)
+    moving = frozenset().union(*map(_moving, task.contexts))
+    moments = [each or _only_there(k, read, facts) for k, each in enumerate(instants(read, moving))]
     for number in _explained_first(read, facts):
         passage, each = read[number]
         position = passage.start + each.position
@@ -51,6 +56,8 @@ def asserted(
             continue
         if is_time(each):
             continue  # a moment: what is said of it has its own place there
+        if _is_transformation(each) or _is_notation(each):
+            continue
         at = situation(passage, number, moments[number], False, declared)
         if _is_supposed(passage, each):
             at = at.hearing(Cue.CASE)
@@ -59,6 +66,22 @@ def asserted(
         statement, time = at_one_time(names.in_facts(each), moving)
         at = replace(at, instant=at.instant if time is None else instant_at(time))
         yield position, statement, replace(at, closed=True)
+
+
+def _moving(context: Context) -> frozenset[Letter]:
+    """The letters of the facts that move, vectors as well: ω(0) is said of the start."""
+    vectors = {x for x in context.definitions if x.bold and not x.sub and not x.mark}
+    return context.habits.moving | vectors
+
+
+def _is_transformation(each: Statement) -> bool:
+    """Whether something is put for a letter that stands in it too, as in φ → φ + ε."""
+    return each.relations == ("→",) and each.sides[0] in n.letters(each.sides[1])
+
+
+def _is_notation(each: Statement) -> bool:
+    """Whether it says how a derivative is written: ∂_θ ℒ = ∂ℒ/∂θ."""
+    return len({*each.sides}) == 1 and isinstance(each.sides[0], (n.Derivative, n.Rate))
 
 
 _SUPPOSE = re.compile(

@@ -57,6 +57,9 @@ class Names:
                 Letter() as tensor, Letter("ω", bold=True) as omega
             ) if tensor.base in _TENSORS and not tensor.sub and tensor not in self.facts:
                 return n.Product((TENSOR, omega))
+            case n.Primed(Letter("e", mark="") as axis, 1):
+                named = replace(axis, bold=True, mark="′")
+                return named if named in self.facts else node
             case Letter():
                 return self._letter(node)
         return node
@@ -67,7 +70,9 @@ class Names:
         if letter in self.facts:
             return letter
         if letter not in self.defined:
-            bold = [replace(letter, bold=True, mark=x) for x in (letter.mark, _hatless(letter))]
+            primed = _primed(letter)
+            marks = [letter, primed, replace(letter, mark=_hatless(letter))]
+            bold = [primed, *(replace(x, bold=True) for x in marks)]
             usual = (*bold, _ALIASES.get(letter))
             known = next((x for x in usual if x in self.facts), None)
             if known is not None:
@@ -75,6 +80,13 @@ class Names:
         bare = replace(letter, sub="")
         # θ_t is θ̇.
         return n.Rate(bare, 1, True) if letter.sub == "t" and bare in self.facts else letter
+
+
+def _primed(letter: Letter) -> Letter:
+    """e₁′ for e with the index 1′."""
+    if letter.mark or not letter.sub.endswith("′"):
+        return letter
+    return replace(letter, sub=letter.sub.rstrip("′"), mark="′")
 
 
 def _hatless(letter: Letter) -> str:

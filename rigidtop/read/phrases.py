@@ -356,7 +356,8 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"|periods?\b|Perioden?\b|périodes?\b)",
     ),
     Cue.GENERAL: (
-        r"\b(?:in general|generally"
+        r"(?:^|[.;¶] ?)(?:otherwise|sonst|andernfalls|sinon)\b"
+        r"|\b(?:in general|generally"
         r"|(?<!lands )(?<!back )(?<!stops )(?<!rises )(?<!falls )(?<!§ )again"
         r"|exact(?:ly)?|without (?:the |this )?approximations?"
         r"|on the other hand|(?:for|at|in) (?:any|all|every|each)(?: other)?(?:\Z| (?:times?|t\b|§"
@@ -430,6 +431,8 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"\b(?:turns? back|stops?|lands?|gets? over the top)(?: again)?(?:,? where|,? at)",
         r"\b(?:bei|sobald|zur Zeit|zum Zeitpunkt)|, wo",
         r"(?:^|[.;¶] ?)(?:where|wo|là où) [^,;:.§]{1,40},",
+        r"\bstands? still,|\b(?:bleibt|steht) still,|\bs'arrête,",
+        r"(?:^|[.;¶] ?)(?:the case|der Fall|le cas)(?: of| où)?",
         r"\b(?:en|(?<!rapport )à|lorsque|quand|à l'instant)",
         r"(?:^|[.;¶] ?)(?:when|once|as soon as|wenn|sobald|quand|lorsque|dès que) [^,;:.§]{0,40}"
         r"\b(?:has|have|reach\w*|arrives?|comes?|stops?|hat|ist|erreicht|ankommt|atteint|arrive"

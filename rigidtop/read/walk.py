@@ -51,6 +51,9 @@ class Problem:
     skipped: bool = False
 
 
+STRUCK = "skipped: struck out"
+"""Why a formula that has been taken back is not taken."""
+
 _MATHS = frozenset(
     name + star
     for name in (
@@ -76,6 +79,7 @@ _BOTH = (
     r"(?P<escaped>\\\\|\\[$%`])"
     r"|(?P<blank>\n[ \t]*(?=\n))"
     r"|(?P<off>\\iffalse(?![A-Za-z]))"
+    r"|(?P<struck>\\(?:sout|xout|st|hcancel)\s*\{)"
     r"|\\(?P<side>begin|end)\s*\{\s*(?P<name>[A-Za-z]+\*?)\s*\}"
     r"|(?P<sign>\$\$?|\\[\[\]()])"
 )
@@ -134,6 +138,7 @@ _IN_MARKDOWN = re.compile(
     rf"{_BESIDE}|{_BOTH}|(?P<percent>^[ \t]*%[^\n]*)|(?P<html><!--)"
     rf"|(?P<fence>^(?:{_MATH_FENCE}|[ \t]{{0,3}}(?=[`~]))"
     r"(?P<ticks>`{3,}+|~{3,}+|:{3,}+)(?P<info>[^\n`]*+)$)"
+    r"|(?P<strike>(?<!~)~~(?![~\s])|<(?:del|s|strike)>)"
     r"|(?P<directive>^(?P<margin>[ \t]*)\.\.[ \t]+math::[ \t]*(?P<first>[^\n]*)$)|(?P<code>`+)",
     re.M,
 )
@@ -144,6 +149,7 @@ DOCUMENT = re.compile(r"^[ \t]*\\begin\s*\{\s*document\s*\}", re.M)
 """Where the text of a file in LaTeX begins."""
 _BLANK_LINE = re.compile(r"\n[ \t]*\n")
 _PARAGRAPH = re.compile(r"\n(?=[ \t]*\n)")
+_BRACE = re.compile(r"\\.|[{}]", re.S)
 _TOLD = re.compile(r"=|\\(?:tag|equiv|approx|neq?)(?![A-Za-z])")
 """What makes a skipped part worth telling, if mathematics stands in it at all."""
 _MATHEMATICAL = re.compile(r"\$|\\[\[(]|\\begin\s*\{|\\tag")
@@ -169,6 +175,16 @@ def places(source: str) -> Callable[[int], tuple[int, int]]:
         return line, position - starts[line - 1] + 1
 
     return place
+
+
+def _closed(source: str, start: int, stop: int) -> int:
+    """Behind the brace that closes one that opened in front of a position; −1 if none does."""
+    depth = 1
+    for match in _BRACE.finditer(source, start, stop):
+        depth += {"{": 1, "}": -1}.get(match[0], 0)
+        if depth == 0:
+            return match.end()
+    return -1
 
 
 class Walk:
@@ -216,6 +232,8 @@ class Walk:
             return self.skip_until(match, r"-->", "a comment")
         elif kind == "off":
             return self.skip_until(match, r"\\fi(?![A-Za-z])", "a comment")
+        elif kind in ("struck", "strike"):
+            return self.struck(match)
         elif kind == "verb":
             return self.skip_until(match, re.escape(match[0][-1]), "code")
         elif kind == "code":
@@ -248,6 +266,19 @@ class Walk:
             return match.end()
         self.skip(match.start(), end.end(), what)
         return end.end()
+
+    def struck(self, match: re.Match[str]) -> int:
+        """What is struck out within a paragraph has been taken back."""
+        closing = match[0] if match[0] == "~~" else match[0].replace("<", "</")
+        stop = self.paragraph_end(match.end())
+        if match[0].endswith("{"):
+            end = _closed(self.source, match.end(), stop)
+        else:
+            end = self.source.find(closing, match.end(), stop) + len(closing)
+        if len(self.dollars) % 2 or end < match.end():
+            return match.end()
+        self.skip(match.start(), end, "struck out")
+        return end
 
     def code(self, match: re.Match[str]) -> int:
         if len(self.dollars) % 2 or len(match[0]) > LONGEST_TICKS:

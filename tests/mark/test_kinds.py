@@ -134,6 +134,74 @@ RIGHT = {
         r"$\omega_2(0)=0$: $B=0$ and $A=\omega_0$, so $\omega_1=\omega_0\cos(\Omega_bt)$, "
         r"$\omega_2=-\omega_0\sin(\Omega_bt)$, $\omega_3=$ const.",
     ),
+    "a case of its own, and otherwise": (
+        "3.54 3.57",
+        r"Steady: $0=\lambda_1\Omega^2sc-\lambda_3\omega_3\Omega s+MgRs$ with $s=\sin\theta$, "
+        r"$c=\cos\theta$. The case $s=0$ is the sleeping top. Otherwise "
+        r"$$\lambda_1c\,\Omega^2-\lambda_3\omega_3\Omega+MgR=0$$",
+    ),
+    "a remark on the pole, where the equations of motion have none": (
+        "3.53 3.55",
+        r"For $\theta=0$ this is $p_\phi=\lambda_3(\dot\psi+\dot\phi)$, the spin alone. In general "
+        r"$$p_\phi=\lambda_1\dot\phi\sin^2\theta+\lambda_3(\dot\psi+\dot\phi\cos\theta)\cos\theta"
+        r"=\text{const}$$",
+    ),
+    "components for a vector, the prime in the index": (
+        "3.41 3.42",
+        r"$$\omega_{1'}=-\dot\phi\sin\theta,\quad\omega_{2'}=\dot\theta,\quad"
+        r"\omega_3=\dot\psi+\dot\phi\cos\theta$$",
+    ),
+    "axes that are not bold": (
+        "3.41 3.42",
+        r"$$\vec\omega=-\dot\phi\sin\theta\,e_1'+\dot\theta\,e_{2'}"
+        r"+(\dot\psi+\dot\phi\cos\theta)e_3$$",
+    ),
+    "one name for two moments": (
+        "3.41 3.44",
+        r"Write $A$ for $\lambda_1=\lambda_2$ and $C$ for $\lambda_3$. Then $T=\frac12A\dot\phi^2"
+        r"\sin^2\theta+\frac12A\dot\theta^2+\frac12C(\dot\psi+\dot\phi\cos\theta)^2$.",
+    ),
+    "what is struck out": (
+        "3.53 3.54",
+        "~~$\\lambda_1\\ddot\\theta=MgR\\cos\\theta$~~ and \\sout{$0=MgR$}\n"
+        r"$$\lambda_1\ddot\theta=\lambda_1\dot\phi^2\sin\theta\cos\theta-\lambda_3"
+        r"(\dot\psi+\dot\phi\cos\theta)\dot\phi\sin\theta+MgR\sin\theta$$",
+    ),
+    "a transformation, and how a derivative is written": (
+        "3.53 3.56",
+        r"$\psi\to\psi+\epsilon$ changes nothing. With $\partial_\psi\mathcal L=\frac{\partial"
+        r"\mathcal L}{\partial\psi}$: $\lambda_3(\dot\psi+\dot\phi\cos\theta)=$ const.",
+    ),
+    "the rate of a length": (
+        "3.43 torque-perpendicular",
+        r"With $\dot\theta=0$ $$\frac{d}{dt}|\mathbf L|=\frac{\mathbf L\cdot\mathbf N}"
+        r"{|\mathbf L|}=0$$",
+    ),
+    "differentials": (
+        "3.50 3.52",
+        r"The horizontal part $\lambda_3\omega_3\sin\theta$ turns by "
+        r"$$d\phi=\frac{MgR\sin\theta\,dt}{\lambda_3\omega_3\sin\theta}$$ "
+        r"$$\mathbf\Omega=\frac{MgR}{\lambda_3\omega_3}\,\hat{\mathbf z}$$",
+    ),
+    "a start where nothing changes": (
+        "3.36 principal-stays",
+        r"At $t=0$ let $\omega_3=w$, $\omega_1=0$, $\omega_2=0$. Then "
+        r"$\lambda_1\dot\omega_1=(\lambda_2-\lambda_3)\cdot0\cdot w=0$, "
+        r"so $\boldsymbol\omega(t)=w\mathbf e_3$ for all times and $\dot{\boldsymbol\omega}=0$.",
+    ),
+    "a start that is said twice": (
+        "3.36 principal-stays",
+        r"Let $\boldsymbol\omega(0)=w\mathbf e_2$, i.e. $\omega_1=\omega_3=0$, $\omega_2=w$. "
+        r"It stays: $\dot{\boldsymbol\omega}=0$.",
+    ),
+    "a frame by what it turns with": (
+        "3.53 3.54",
+        r"With $\mathbf w=\dot\phi\hat{\mathbf z}+\dot\theta\mathbf e_2'$ and "
+        r"$\mathbf N=MgR\sin\theta\,\mathbf e_2'$: "
+        r"$\left(\dot{\mathbf L}\right)_{\text{frame}}+\mathbf w\times\mathbf L=\mathbf N$, so "
+        r"$\lambda_1\ddot\theta=\lambda_1\dot\phi^2\sin\theta\cos\theta-\lambda_3"
+        r"(\dot\psi+\dot\phi\cos\theta)\dot\phi\sin\theta+MgR\sin\theta$.",
+    ),
 }
 
 
@@ -267,10 +335,46 @@ def test_what_is_concluded_in_a_display_is_not_supposed():
 
 
 def test_what_holds_at_the_moment_that_was_named_is_not_called_wrong_and_shows_nothing():
-    source = "Let $\\omega_1=\\omega_2=0$ at $t=0$. Then\n"
+    source = "Let $\\omega_2=0$ at $t=0$. Then\n"
     source += r"$$(\lambda_2-\lambda_3)\omega_2\omega_3={}$$"
     ends = task("3.36", "principal-stays")
     right = mark(source.replace("{}", "0"), ends)
     assert (right.first_wrong, right.passed) == (None, False)
     assert "the moment of which the line before speaks" in right.lines[-1].note
     assert mark(source.replace("{}", r"\lambda_3"), ends).first_wrong.line == 2
+
+
+@pytest.mark.parametrize(
+    ("ends", "source", "line"),
+    [
+        # only what is said of the case is meant for it
+        ("3.53 3.55", "For $\\theta=0$ it is $p_\\phi=\\lambda_3(\\dot\\psi-\\dot\\phi)$.", 1),
+        ("3.53 3.55", "For $\\theta=0$.\n\n$p_\\phi=\\lambda_3(\\dot\\psi+\\dot\\phi)$.", 3),
+        # a frame turns with what stands beside it, in its order and with its sign
+        (
+            "3.53 3.54",
+            "With $\\mathbf w=\\dot\\phi\\hat{\\mathbf z}+\\dot\\theta\\mathbf e_2'$ and "
+            "$\\mathbf N=MgR\\sin\\theta\\mathbf e_2'$\n"
+            "$$\\left(\\dot{\\mathbf L}\\right)_{\\text{frame}}"
+            "+\\mathbf L\\times\\mathbf w=\\mathbf N$$",
+            2,
+        ),
+        ("3.50 3.52", "$$d\\phi=\\frac{2MgR\\,dt}{\\lambda_3\\omega_3}$$", 1),
+        ("3.41 3.42", "$$\\omega_{1'}=\\dot\\phi\\sin\\theta,\\quad\\omega_{2'}=\\dot\\theta$$", 1),
+    ],
+)
+def test_a_wrong_line_of_the_same_kinds_is_wrong(ends, source, line):
+    marking = mark(source, task(*ends.split()))
+    assert marking.first_wrong.line == line
+    assert not marking.passed
+
+
+def test_one_component_that_vanishes_at_the_start_does_not_stay_so():
+    source = "At $t=0$ let $\\omega_1=0$.\n\nSo $\\omega_1(t)=0$ always."
+    marking = mark(source, task("3.36", "principal-stays"))
+    assert [x.mark.value for x in marking.lines] == ["assumption", "inconclusive"]
+
+
+def test_what_a_case_gives_does_not_reach_a_goal():
+    source = r"When $\dot\theta=0$, $\ddot\theta=1$ there. For $\theta=0$: $\lambda_1=0$."
+    assert not mark(source, task("3.53", "3.54")).passed
