@@ -58,6 +58,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         choices=("github", "sarif", "junit"),
         help="print what is found as a code host, an editor or a test runner reads it",
     )
+    parser.add_argument(
+        "--skip-empty",
+        action="store_true",
+        help="leave a file without formulas out even if it is the only one, as --format does",
+    )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -81,7 +86,9 @@ def _run(paths: Sequence[Path], collection: Collection, options: argparse.Namesp
     from rigidtop.commands.formats import FORMATS
 
     output = Path(options.output) if options.output else None
-    audits = [*_audits(paths, output, collection)]
+    skipping = len(paths) > 1 or options.format or options.skip_empty
+    wanted = options.json or output is not None or not skipping
+    audits = [*_audits(paths, output, collection, wanted=wanted)]
     if output is not None:
         from rigidtop.terminal.files import write_whole
 
@@ -100,8 +107,10 @@ def _run(paths: Sequence[Path], collection: Collection, options: argparse.Namesp
     return FAILED if any(notes.is_wrong for notes in audits) else 0
 
 
-def _audits(paths: Sequence[Path], output: Path | None, collection: Collection) -> Iterator[Notes]:
-    """The notes of each file; of several those are left out in which no formula stands."""
+def _audits(
+    paths: Sequence[Path], output: Path | None, collection: Collection, *, wanted: bool
+) -> Iterator[Notes]:
+    """The notes of each file; unless formulas are `wanted`, a file without any is left out."""
     from rigidtop.commands.notes import NoFormulasError, audited
     from rigidtop.read.project import sources
 
@@ -116,7 +125,7 @@ def _audits(paths: Sequence[Path], output: Path | None, collection: Collection) 
         try:
             yield audited(files, collection)
         except NoFormulasError:
-            if len(paths) == 1:
+            if wanted:
                 raise
 
 
@@ -163,7 +172,9 @@ def tell(findings: Sequence[Finding]) -> None:
     others = [
         each
         for each in findings
-        if each.display and not each.is_wrong and not (of_claims and each.of is Of.FILE)
+        if (each.display or each.is_open)
+        and not each.is_wrong
+        and not (of_claims and each.of is Of.FILE)
     ]
     rows = [
         (str(each.place).removeprefix("line "), label(each.name), each.verdict, each.words)

@@ -5,6 +5,7 @@ import json
 import re
 import threading
 import time
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
@@ -132,6 +133,21 @@ def test_several_files_are_told_one_by_one(bob, tmp_path, capsys):
     assert main(["audit", *names, "--json"]) == 2
     assert "one file at a time with --json: 3 names are too many" in capsys.readouterr().err
     assert main(["audit", "README.md"]) == 2
+
+
+def test_a_commit_without_formulas_passes(bob, tmp_path, capsys):
+    """The hook and the reports are there for whatever files a commit happens to have."""
+    (tmp_path / "README.md").write_text("No formulas.", "utf-8")
+    [hook] = (Path(__file__).parents[2] / ".pre-commit-hooks.yaml").read_text().split("entry: ")[1:]
+    command, *words = hook.splitlines()[0].split()
+    assert command == "rigidtop"
+    assert main([*words, "README.md"]) == 0
+    assert main([*words, "README.md", bob]) == 1
+    assert main([*words, "nowhere.md"]) == 2
+    capsys.readouterr()
+    for format, said in (("github", ""), ("sarif", '"results": []'), ("junit", "<testsuites />")):
+        assert main(["audit", "README.md", "--format", format]) == 0
+        assert said in capsys.readouterr().out
 
 
 def test_each_change_is_seen_once(bob, tmp_path):
