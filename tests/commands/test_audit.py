@@ -162,6 +162,14 @@ def test_exit_codes(text, code, file, capsys):
     assert capsys.readouterr().err == ""
 
 
+def test_what_is_open_in_a_sentence_is_told_by_its_reason_too(file, capsys):
+    assert main(["audit", file("So $p = = 2$ holds, and $$y = \\foo{3}.$$")]) == 0
+    shown = capsys.readouterr().out
+    assert "2 could not be read" in shown
+    assert re.search(r"1 +unread +a term is missing before = +1\n", shown)
+    assert re.search(r"1 +unread +the command \\foo is not known +1\n", shown)
+
+
 @pytest.mark.parametrize(
     ("text", "complaint"),
     [
