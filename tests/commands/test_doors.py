@@ -1,18 +1,24 @@
 """What an audit finds, told to code hosts, editors and test runners, and told again on saving."""
 
+import asyncio
 import csv
 import json
 import re
+import sys
 import threading
 import time
 from pathlib import Path
 from xml.etree import ElementTree
 
+import mcp
 import pytest
 
 import rigidtop
 from rigidtop.cli import main
-from rigidtop.commands.cell import RECORD, answer
+from rigidtop.collection import built_in
+from rigidtop.commands.browser import Desk
+from rigidtop.commands.cell import RECORD, answer, audit
+from rigidtop.commands.draft import Draft
 from rigidtop.commands.watch import saved
 
 BOB = r"""A bob has the Lagrangian
@@ -118,6 +124,55 @@ def test_an_answer_is_marked_alike_through_every_door(tmp_path, capsys):
     badges = re.findall(r'<span class="side">.*?</span>([a-z]+)</span>', page)
     assert badges == [line["verdict"] for line in record["lines"]]
     assert record["summary"] in page
+
+
+SPRING = r"""A mass on a spring has $L = \frac12 m \dot x^2 - \frac12 k x^2$ and $p = = 3$.
+% $m \ddot x = 3 k x$
+\newcommand{\acc}{\ddot x} It is called
+\begin{equation} \omega_0^2 = k / m \end{equation}
+and moves by
+\[ m \acc = k x . \]
+"""
+AUTHORS = Path(__file__).parents[1] / "judge" / "authors"
+
+
+def test_a_file_is_judged_alike_through_every_door(tmp_path, monkeypatch, capsys):
+    """The command, its reports, an editor, a cell, the browser's page, an assistant."""
+    monkeypatch.chdir(tmp_path)
+    texts = {"bob.md": BOB, "spring.tex": SPRING}
+    texts["right.tex"] = SPRING.replace("= k x .", "= -k x .")
+    texts["goldstein.tex"] = (AUTHORS / "goldstein.tex").read_text("utf-8")
+
+    async def assistant():
+        start = mcp.StdioServerParameters(command=sys.executable, args=["-m", "rigidtop", "mcp"])
+        async with mcp.Client(start) as client:
+            told = [await client.call_tool("audit", {"text": text}) for text in texts.values()]
+        return [each.structured_content["findings"] for each in told]
+
+    by_assistant = asyncio.run(assistant())
+    for (name, text), assisted in zip(texts.items(), by_assistant, strict=True):
+        Path(name).write_text(text, "utf-8")
+        code = main(["audit", name, "--json"])
+        rows = json.loads(capsys.readouterr().out)
+        wrong = [row["line"] for row in rows if row["passed"] is False]
+        assert code == bool(wrong) == (name in ("bob.md", "spring.tex"))
+        assert assisted == rows
+        assert json.loads(Desk().answer(text, [], lambda *_: None))["outcomes"] == rows
+        notes = Draft(Path(name)).audit(text, built_in()).notes
+        assert [each.record for each in notes.findings] == rows
+        assert audit("", text)._repr_mimebundle_()[RECORD] == rows
+        shown = {}
+        for format in ("github", "sarif", "junit"):
+            assert main(["audit", name, "--format", format]) == code
+            shown[format] = capsys.readouterr().out
+        assert [int(x) for x in re.findall(r",line=(\d+),", shown["github"])] == wrong
+        places = [each["locations"] for each in json.loads(shown["sarif"])["runs"][0]["results"]]
+        assert [x["physicalLocation"]["region"]["startLine"] for [x] in places] == wrong
+        cases = ElementTree.fromstring(shown["junit"]).iter("testcase")
+        passed = {(): True, ("failure",): False, ("skipped",): None}
+        assert [passed[tuple(x.tag for x in case)] for case in cases] == [
+            row["passed"] for row in rows
+        ]
 
 
 def test_several_files_are_told_one_by_one(bob, tmp_path, capsys):
