@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -122,9 +121,9 @@ def run(options: argparse.Namespace) -> int:
     from rigidtop.collection import opened
 
     with opened([f"{folder}/" for folder in folders]) as (collection, _):
-        # What is wrong with a collection is told once, and first.
+        # What is wrong with a collection, or with what is asked for, is told once, and first.
         subject = subject_of(collection) if folders else None
-        judge = partial(_marked, options, collection, subject)
+        judge = _judge(options, collection, subject)
         if file != "-" and Path(file).is_dir():
             from rigidtop.commands.classroom import write_class
 
@@ -171,25 +170,27 @@ def subject_of(collection: Collection) -> Subject:
     return Subject(collection.lecture, families, collection.notation)
 
 
-def _marked(
-    options: argparse.Namespace, collection: Collection, subject: Subject | None, source: str
-) -> tuple[str, str, Marking]:
-    """The marks of an answer, and the ends of the derivation, if it is one."""
+def _judge(options: argparse.Namespace, collection: Collection, subject: Subject | None) -> Judge:
+    """What marks an answer and says the ends of the derivation, if it is one.
+
+    Raises RigidtopError if what the answers are about is not there.
+    """
     from rigidtop.mark.answer import mark
     from rigidtop.mark.task import task, task_of
 
     limits = options.seconds, 6 * options.seconds
     if options.exercise is not None:
-        from rigidtop.mark.exercise import answered
+        from rigidtop.mark.exercise import answered, named
+        from rigidtop.parameters import settings
 
         name, given = options.exercise, options.settings
-        return answered(name, source, given, *limits, collection.exercises, subject)
+        settings(named(name, collection.exercises).parameters, given)
+        return lambda source: answered(name, source, given, *limits, collection.exercises, subject)
     if options.given is not None:
-        asked = task_of(text_of(options.given), options.goal)
-        return options.given, options.goal, mark(source, asked, *limits)
-    start, goal = options.start, options.goal
-    asked = task(start, goal, subject)
-    return start, goal, mark(source, asked, *limits)
+        start, asked = options.given, task_of(text_of(options.given), options.goal)
+    else:
+        start, asked = options.start, task(options.start, options.goal, subject)
+    return lambda source: (start, options.goal, mark(source, asked, *limits))
 
 
 def _print(found: Marking) -> None:

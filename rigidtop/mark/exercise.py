@@ -74,7 +74,7 @@ def answered(
     >>> [line.mark.value for line in found.lines], found.passed
     (['follows'], False)
     """
-    exercise = _named(name, exercises)
+    exercise = named(name, exercises)
     if len(source) > LONGEST:
         raise RigidtopError(f"an answer has no more than {LONGEST} characters, not {len(source)}")
     asked = numbers(exercise, given)
@@ -93,7 +93,8 @@ def numbers(exercise: Exercise, given: Sequence[str] = ()) -> Mapping[str, Answe
     return {x.name: x for x in exercise.solve(**values) if isinstance(x, Answer)}
 
 
-def _named(name: str, exercises: Sequence[Exercise] = EXERCISES) -> Exercise:
+def named(name: str, exercises: Sequence[Exercise] = EXERCISES) -> Exercise:
+    """The exercise of that name; RigidtopError with the names that there are for another."""
     found: dict[str, Exercise] = {exercise.name: exercise for exercise in exercises}
     if name not in found:
         raise RigidtopError(
@@ -113,7 +114,7 @@ def ends(name: str) -> tuple[str, str]:
     >>> ends("fast-spin-roots")
     ('3.57', 'two-roots')
     """
-    return ends_of(_named(name), top())
+    return ends_of(named(name), top())
 
 
 def ends_of(exercise: Exercise, subject: Subject) -> tuple[str, str]:

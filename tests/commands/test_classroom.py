@@ -69,6 +69,23 @@ def test_a_page_a_student_and_one_for_the_class(answers, tmp_path, capsys):
     assert "✗ </span>wrong" in bob
 
 
+@pytest.mark.parametrize(
+    ("asked", "complaint"),
+    [
+        (["--exercise", "fast-spin-root"], "no exercise is called 'fast-spin-root'"),
+        (["--exercise", "fast-spin-roots", "--set", "thet=1"], "thet"),
+        (["--from", "9.9", "--to", "3.57"], "no line of the lecture is called '9.9'"),
+        (["--given", "nowhere.tex", "--to", "x = 1"], "cannot read nowhere.tex"),
+    ],
+)
+def test_what_is_asked_for_in_vain_is_told_once_and_is_no_mark(asked, complaint, answers, capsys):
+    assert main(["mark", str(answers), *asked]) == 2
+    shown = capsys.readouterr()
+    assert shown.out == ""
+    assert complaint in shown.err
+    assert shown.err.count("\n") == 1
+
+
 def test_names_of_strangers_lead_nowhere(answers, tmp_path, capsys):
     for name in ("INDEX.md", "a b.md", "a_b.md", "..x.md", "é" * 120 + ".md"):
         (answers / name).write_text(RIGHT, "utf-8")
