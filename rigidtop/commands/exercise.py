@@ -62,7 +62,9 @@ def run(options: argparse.Namespace) -> int:
     if options.points is not None and not options.sheet:
         raise RigidtopError("--points goes with --sheet DIR")
     if options.format and (not options.sheet or options.pdf or options.json):
-        raise RigidtopError(f"--format {options.format} goes with --sheet DIR alone")
+        raise RigidtopError(
+            f"--format {options.format} goes with --sheet DIR, and without --pdf and --json"
+        )
     if options.json and options.student:
         raise RigidtopError("--json gives the solutions: leave --student out")
     from rigidtop.collection import is_folder, opened
