@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 from rigidtop.read.phrases import BEFORE, BEHIND, INLINE, TITLED, WITHIN, Cue
 from rigidtop.read.words import WORD
@@ -74,6 +75,7 @@ LONGEST = 200
 """Of the words in front of a formula no more are looked at, and no more behind it."""
 
 
+@lru_cache(maxsize=5000)
 def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
     """What the words next to a formula say of it."""
     before = _ROW.sub("§ § ", before.strip()[-LONGEST:])

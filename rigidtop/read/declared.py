@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from rigidtop.read.prose import Prose
+from rigidtop.read.prose import Prose, prose_of
 
 
 class Word(Enum):
@@ -161,7 +161,7 @@ def declared(source: str) -> tuple[Declared, ...]:
 
     Raises RigidtopError for a text that is too long.
     """
-    return tuple(_declared(Prose(source)))
+    return tuple(_declared(prose_of(source, False)))
 
 
 def _declared(prose: Prose) -> Iterator[Declared]:

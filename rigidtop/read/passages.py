@@ -23,7 +23,7 @@ from rigidtop.read.cues import (
 )
 from rigidtop.read.left import states
 from rigidtop.read.phrases import Cue
-from rigidtop.read.prose import Prose
+from rigidtop.read.prose import prose_of
 from rigidtop.read.walk import Formula
 
 _OPEN_ENDED = re.compile(r"(?:=|\\equiv)\s*\Z")
@@ -53,7 +53,7 @@ def passages(source: str, plain: bool = False) -> tuple[Passage, ...]:
 
     Raises RigidtopError for a text that is too long.
     """
-    prose = Prose(source, plain)
+    prose = prose_of(source, plain)
     made = [
         Passage(
             *(formula.text, formula.start, formula.display),

@@ -6,6 +6,7 @@ import re
 import unicodedata
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from rigidtop.read.left import states
 from rigidtop.read.scopes import Mark, scopes
@@ -112,6 +113,12 @@ class Prose:
         sentence = self.sentence(number)
         start = self.ends[sentence - 1] if sentence else 0
         return start, self.ends[sentence] if sentence < len(self.ends) else len(self.text)
+
+
+@lru_cache(maxsize=1)
+def prose_of(source: str, plain: bool) -> Prose:
+    """The prose of a text, kept until another one is read: its letters and its formulas need it."""
+    return Prose(source, plain)
 
 
 def _pieces(
