@@ -9,12 +9,25 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import combinations
+from math import ceil, log10
 from operator import attrgetter
 
 import numpy as np
 import sympy
 from numpy.typing import NDArray
-from sympy import Expr, I, Mul, Rational, Symbol, factor_terms, fraction, together
+from sympy import (
+    Expr,
+    I,
+    Integer,
+    Mul,
+    Pow,
+    Rational,
+    Symbol,
+    factor_terms,
+    fraction,
+    log,
+    together,
+)
 
 from rigidtop.judge.jets import Jet, jet_of, symbols
 from rigidtop.judge.letters import VELOCITIES
@@ -39,11 +52,16 @@ CLOSE, _FLOOR = 1e-7, 1e-4
 """Sides that are equal in exact worlds differ by no more than this share of their terms, which are
 of the size of 1 where they are not zero."""
 
+_FAR, _LONG = 6.5, 17
+"""So many powers of ten away from 1 a number may hide what else is written, or be hidden by it;
+with more digits it is no rounded number."""
+
 _INEXACT, _TINY = 1e-11, 1e-290
 """The numbers of worlds are off by this much, and nothing smaller is told from zero."""
 
-_DIGITS = 60
-"""With so many digits sides are compared of which rounding hides the difference."""
+_DIGITS, _MOST_DIGITS = 60, 1000
+"""With so many digits sides are compared of which rounding hides the difference; with more, but
+not with more than so many, where smaller or larger numbers are written."""
 
 _LARGEST = 1e12
 """Of sides with larger terms nothing is seen."""
@@ -168,11 +186,19 @@ class Worlds:
         """The same with many digits, where no equation has left its errors in the numbers."""
         if not self.free:
             return None
+        digits = _DIGITS + sum(map(_digits, (x for pair in sides for x in pair)))
         for point in self.points.T:
             put = {x: Rational(float(v.real)) for x, v in zip(self.letters, point, strict=True)}
             for left, right in sides:
-                gap, size = (x.xreplace(put).evalf(_DIGITS) for x in (left - right, left))
-                if not gap.is_number or abs(gap) > _EXACT**4 * abs(size):
+                gap, size = (x.xreplace(put) for x in (left - right, left))
+                if gap.is_Rational:
+                    if gap != 0:
+                        return False
+                    continue
+                if digits > _MOST_DIGITS:
+                    return None
+                gap, size = (x.evalf(digits, maxn=2 * digits) for x in (gap, size))
+                if not gap.is_number or abs(gap) > Rational(10) ** (12 - digits) * abs(size):
                     return False
         return True
 
@@ -457,8 +483,25 @@ def rank(equations: Sequence[Expr], worlds: Worlds, by: Sequence[Symbol]) -> int
 
 @lru_cache(maxsize=5_000)
 def _has_extremes(expression: Expr) -> bool:
-    """Whether a number in it is so small, or so large, that it may hide what else is written."""
-    return any(x != 0 and not CLOSE < abs(x) < 1 / CLOSE for x in expression.atoms(Rational))
+    """Whether a number in it is so small, or so large, that it may hide what else is written.
+
+    So does one with more digits than anybody writes down, as 1 + 10⁻⁴⁵ has.
+    """
+    return _digits(expression) > 0
+
+
+def _digits(expression: Expr) -> int:
+    """How many digits its small, large and long numbers have, all together."""
+    numbers = (x for x in expression.atoms(Rational, Pow) if x.is_number and x.is_real and x != 0)
+    parts = (sorted(map(_decades, fraction(x))) for x in numbers)
+    return sum(ceil(more) for less, more in parts if more - less > _FAR or less > _LONG)
+
+
+def _decades(number: Expr) -> float:
+    """The logarithm of its size, to the base 10."""
+    if isinstance(number, Integer):
+        return abs(int(number)).bit_length() * log10(2)
+    return abs(float(log(abs(number), 10).evalf(3)))
 
 
 def symbols_of(expressions: Sequence[Expr]) -> tuple[Symbol, ...]:

@@ -132,6 +132,21 @@ def test_a_line_follows_and_is_told_with_a_slip(above, line, old, new):
     assert (right.passed, wrong.passed) == (True, False)
 
 
+@pytest.mark.parametrize(
+    "line",
+    ["x + 10^{-45}", "x + 20^{-45}", "x + 10^{-2000}", "(1 + 10^{-60})x", r"x + 10^{-60}\sin x"],
+)
+def test_no_number_is_too_small_to_be_something(line):
+    outcome = judged(f"$$ s = x $$ so\n$$ s = {line} $$\n")[-1].outcome
+    assert outcome.passed is not True
+    assert not outcome.right  # nothing that is as small makes it hold
+
+
+@pytest.mark.parametrize("line", ["y = 3.14159265358979x", r"y \approx 3.1415927x"])
+def test_a_number_is_as_good_as_it_is_written(line):
+    assert judged(f"$$ y = \\pi x $$ so\n$$ {line} $$\n")[-1].outcome.passed
+
+
 FLIGHT = r"A shot has $$ \dot y = u - gt. $$ At the highest point $\dot y = 0$. There" + "\n"
 HOLLOW = r"""
 The potential is $U = ax^4 - bx^2$. In equilibrium $\frac{dU}{dx} = 0$, so
