@@ -58,6 +58,32 @@ def test_what_is_refused_and_solved(monkeypatch, capsys):
     assert [line for line in lines if columns(line) > width] == []
 
 
+ANSWERS = (
+    "simulate top",
+    "simulate free --moments 1 2 3 --omega 1 0.1 2",
+    "simulate sliding",
+    "notation",
+    "notation goldstein",
+    "map 3.57",
+    "derive 3.57 --deep",
+    "list",
+    "list --chapters",
+    "figure",
+    "exercise",
+    "certify top",
+)
+
+
+@pytest.mark.parametrize("words", ANSWERS)
+def test_what_is_asked_for(monkeypatch, capsys, words):
+    width = 60
+    monkeypatch.setenv("COLUMNS", str(width))
+    assert main(words.split()) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) > 2
+    assert [line for line in lines if columns(line) > width] == []
+
+
 @pytest.mark.parametrize("width", [60, 80])
 def test_what_is_told_of_a_page_with_faults(monkeypatch, capsys, tmp_path, width):
     monkeypatch.setenv("COLUMNS", str(width))
