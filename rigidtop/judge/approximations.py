@@ -16,6 +16,7 @@ from rigidtop.judge.context import LINEAR, Context, Definition, Limit
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, SLIP_SECONDS, Slip, slip
 from rigidtop.judge.implicit import implicit, solves_nearly
 from rigidtop.judge.jets import jet_of, jets
+from rigidtop.judge.letters import INFINITY
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.orders import (
     Scaling,
@@ -130,7 +131,6 @@ def limited(statement: Statement, at: Situation, context: Context) -> tuple[Stat
     return statement, context
 
 
-INFINITY = Letter("∞")
 _DISTANCE = Letter("ε", "→")
 """How far a letter is from the one to which it tends."""
 

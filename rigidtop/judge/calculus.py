@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Self
 
-import numpy as np
 import sympy
 from sympy import Expr, MatrixBase
 
+from rigidtop.judge import quadrature, series
 from rigidtop.judge.jets import TIME, at_instant, jet_of, jets
-from rigidtop.judge.letters import MOMENTA
+from rigidtop.judge.letters import INFINITY, MOMENTA
 from rigidtop.judge.particles import MASS, PARTICLES, REGION, VOLUME, is_over_body, part, tuples
 from rigidtop.judge.values import UnclearError, Value, added, multiplied
 from rigidtop.judge.vocabulary import Meant, Vocabulary
@@ -23,22 +23,6 @@ GAMMA = Letter("Γ")
 
 DIGITS = 40
 """So many digits a value of a function has that has no other form."""
-
-NODES = 32
-"""Places at which the integrand of an integral is taken."""
-
-
-def _nodes() -> list[tuple[float, float]]:
-    """Places x = −cos s between −1 and 1 with their weights, Gauss and Legendre's in s.
-
-    So a root that vanishes at an end is as smooth as anything else.
-    """
-    places, weights = np.polynomial.legendre.leggauss(NODES)
-    s = (places + 1) * np.pi / 2
-    return [*zip((-np.cos(s)).tolist(), (weights * np.sin(s) * np.pi / 2).tolist(), strict=True)]
-
-
-_NODES = _nodes()
 
 _MOST_RATES = 3
 """The rates of a letter that is held are put in again up to this order, less one."""
@@ -253,6 +237,13 @@ class Calculus(Vocabulary):
     # --- sums, integrals -------------------------------------------------------------------------
 
     def total(self, node: n.Total) -> Value:
+        if series.is_of_numbers(node):
+            if node.lower is None or node.upper is None:
+                raise UnclearError("a sum that does not say from where to where")
+            [index] = node.index
+            term = self.with_(held=self.held | {index}).scalar(node.of)
+            ends = self._end(node.lower), self._end(node.upper)
+            return series.series(term, self.free(index), *ends, node.sign)
         names = [x.base for x in node.index]
         spans = [self._span(node) for _ in names]
         terms = [self.value(node.of)] if not names else []
@@ -271,6 +262,8 @@ class Calculus(Vocabulary):
             if 0 <= last - first < 12:
                 return range(first, last + 1)
             raise UnclearError("a sum over many terms")
+        if node.upper == INFINITY:
+            raise UnclearError("a sum without an end")
         return range(PARTICLES)
 
     def integral(self, node: n.Integral) -> Value:
@@ -285,14 +278,18 @@ class Calculus(Vocabulary):
         integrand = meaning.scalar(node.of)
         if time and any(jet.letter in self.moving for jet in jets(integrand).values()):
             raise UnclearError("an integral over time of what is not given as a function of it")
-        lower, upper = self.scalar(node.lower), self.scalar(node.upper)
+        lower, upper = self._end(node.lower), self._end(node.upper)
         integrand = self._released(integrand, kept) if time else integrand
-        if integrand.is_polynomial(x):
+        if integrand.is_polynomial(x) and not {lower, upper} & {sympy.oo, -sympy.oo}:
             value = sympy.integrate(sympy.expand(integrand), (x, lower, upper))
             return self._released(value, kept)
-        middle, half = (lower + upper) / 2, (upper - lower) / 2
-        terms = (w * integrand.xreplace({x: middle + half * p}) for p, w in _NODES)
-        return self._released(half * sympy.Add(*terms), kept)
+        return self._released(quadrature.integral(integrand, x, lower, upper), kept)
+
+    def _end(self, node: Node) -> Expr:
+        """Where an integral or a sum ends; it may be infinity."""
+        if node in (INFINITY, n.Negative(INFINITY)):
+            return sympy.oo if node == INFINITY else -sympy.oo
+        return self.scalar(node)
 
     def _is_kept(self, letter: Letter) -> bool:
         """Whether a letter stands for what is said not to change, whatever it is written in."""

@@ -22,6 +22,7 @@ from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import FALSE, Outcome
 from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.question import Pair, Question, paired
+from rigidtop.judge.series import is_of_numbers
 from rigidtop.judge.sides import ZERO, entries, letters_of, named, own_letters
 from rigidtop.judge.slips import Change, changes, times
 from rigidtop.judge.values import UnclearError, plain
@@ -130,13 +131,35 @@ def _right_changes(
     meanings = question.meanings()
     if not indices:
         meanings = [x.remembering(question.left, question.right) for x in meanings]
-    for change in changes(question.left, question.right, known, question.moving, letter, indices):
+    sums = _sums(question) if letter is None else frozenset()
+    both = question.left, question.right
+    for change in changes(*both, known, question.moving, letter, indices, sums):
         if time.process_time() > until or change.rank > most:
             return
         if _says_something(question, change) and _is_right(
             question, change, compared, meanings, worlds
         ):
             yield change
+
+
+def _sums(question: Question) -> frozenset[n.Sum]:
+    """The sums of two letters in what it rests on, as R − a, unless the statement has them too."""
+    context = question.context
+    used = [d.node for d in context.definitions.values() if d.number in question.rests_on]
+    held = (c for c in context.constraints if c.number in question.rests_on)
+    used += [side for each in held for side in (each.left, each.right)]
+    own = {x for side in (question.left, question.right) for x in n.walked(side)}
+    return frozenset(
+        x
+        for node in used
+        for x in n.walked(node)
+        if isinstance(x, n.Sum) and len(x.terms) == 2 and x not in own and _is_of_letters(x)
+    )
+
+
+def _is_of_letters(node: n.Sum) -> bool:
+    bare = (x.of if isinstance(x, n.Negative) else x for x in node.terms)
+    return all(isinstance(x, Letter) and not x.bold for x in bare)
 
 
 def near(question: Question) -> set[Letter]:
@@ -380,18 +403,20 @@ def _is_value_then(question: Question) -> bool:
 
 
 def is_worked_out(question: Question) -> bool:
-    """Whether a derivative, a determinant or an integral is worked out in its own letters.
+    """Whether a derivative, a determinant, an integral or a series is worked out in its letters.
 
     It is no condition for these, as one that is to vanish is.
     """
     left, right = question.left, question.right
-    asks = any(isinstance(x, _OPERATIONS) or _is_determinant(x) for x in n.walked(left))
+    asks = any(_is_operation(x) for x in n.walked(left))
     before = {x for pair in question.both for x in letters_of(pair[0])}
     behind = {x for pair in question.both for x in letters_of(pair[1])}
     return asks and bool(own_letters(right)) and behind <= before
 
 
-_OPERATIONS = (n.Derivative, n.Integral)
+def _is_operation(node: Node) -> bool:
+    series = isinstance(node, n.Total) and is_of_numbers(node)
+    return series or isinstance(node, (n.Derivative, n.Integral)) or _is_determinant(node)
 
 
 def _is_determinant(node: Node) -> bool:

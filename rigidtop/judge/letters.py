@@ -7,6 +7,9 @@ from rigidtop.tree.nodes import Letter
 CLOCK = Letter("t")
 """The time."""
 
+INFINITY = Letter("∞")
+"""No number: an end of integrals and sums, and a limit."""
+
 SPEED = Letter("v")
 """The speed of what moves."""
 

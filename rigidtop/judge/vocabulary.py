@@ -13,6 +13,7 @@ from sympy import Expr, ImmutableMatrix, MatrixBase
 
 from rigidtop.judge.context import Context, Definition
 from rigidtop.judge.jets import TIME, Jet, rate, symbol
+from rigidtop.judge.letters import INFINITY
 from rigidtop.judge.names import basis_of, component_of, function_name, is_vector
 from rigidtop.judge.particles import DENSITY, MASS, REGION, SPREAD, VOLUME, part
 from rigidtop.judge.values import LARGEST, UnclearError, Value, length, size
@@ -116,6 +117,8 @@ class Vocabulary(ABC):
         definition = self.definition(letter)
         if definition is not None:
             return self._defined(letter, definition)
+        if letter == INFINITY:
+            raise UnclearError("∞ is no number")
         if letter.base == "π" and not letter.sub and letter not in self.context.habits.own:
             return sympy.pi
         if letter == Letter("i") and letter not in self.context.habits.own:

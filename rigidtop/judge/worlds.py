@@ -17,6 +17,7 @@ import sympy
 from numpy.typing import NDArray
 from sympy import (
     Expr,
+    Float,
     I,
     Integer,
     Mul,
@@ -184,7 +185,7 @@ class Worlds:
 
     def _holds_exactly(self, sides: Sequence[tuple[Expr, Expr]]) -> bool | None:
         """The same with many digits, where no equation has left its errors in the numbers."""
-        if not self.free:
+        if not self.free or any(x.has(Float) for pair in sides for x in pair):
             return None
         digits = _DIGITS + sum(map(_digits, (x for pair in sides for x in pair)))
         for point in self.points.T:
@@ -492,7 +493,8 @@ def _has_extremes(expression: Expr) -> bool:
 
 def _digits(expression: Expr) -> int:
     """How many digits its small, large and long numbers have, all together."""
-    numbers = (x for x in expression.atoms(Rational, Pow) if x.is_number and x.is_real and x != 0)
+    exact = (x for x in expression.atoms(Rational, Pow) if not x.has(Float))  # nobody wrote others
+    numbers = (x for x in exact if x.is_number and x.is_real and x != 0)
     parts = (sorted(map(_decades, fraction(x))) for x in numbers)
     return sum(ceil(more) for less, more in parts if more - less > _FAR or less > _LONG)
 

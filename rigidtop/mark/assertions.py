@@ -10,8 +10,8 @@ import re
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 
-from rigidtop.judge.approximations import INFINITY
 from rigidtop.judge.context import Context
+from rigidtop.judge.letters import INFINITY
 from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time
 from rigidtop.judge.reading import Read
 from rigidtop.judge.situation import Situation
