@@ -9,17 +9,19 @@ from functools import partial
 from rigidtop.judge.context import SETTING, Bound, Constraint
 from rigidtop.judge.faults import slip
 from rigidtop.judge.numbers import are_numbers
-from rigidtop.judge.outcome import PREMISE, SAMPLED, Outcome
+from rigidtop.judge.outcome import FALSE, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.values import UnclearError
 from rigidtop.judge.worlds import Worlds
+from rigidtop.tree.latex import latex
 from rigidtop.tree.nodes import Node
 
 
 def judged(question: Question) -> Judgement:
     """The outcome of left ≥ right; raises UnclearError.
 
-    It follows if it is the same bound as one that is known: both are reached together.
+    It follows if it is the same bound as one that is known: both are reached together.  Directly
+    behind one it is wrong the other way round.
     """
     context, at = question.context, question.at
     condition = Outcome(PREMISE, "a condition")
@@ -39,6 +41,12 @@ def judged(question: Question) -> Judgement:
         same = partial(_is_same, question, edge, known)
         if same(question.both, edge.worlds):
             return Outcome(SAMPLED, "", edge.rests_on), bounded
+        directly = not at.inline and at.number - each.number == 1
+        if directly and same([pair[::-1] for pair in question.both], edge.worlds):
+            turned = f"{latex(question.left)} \\leq {latex(question.right)}"
+            words = "the relation turned round"
+            why = "it holds the other way round"
+            return Outcome(FALSE, why, edge.rests_on, words, turned), context
         wrong = slip(question, same, "\\geq") if edge.worlds.count else None
         if wrong is not None:
             return wrong.outcome, context

@@ -45,7 +45,7 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
         return None
     meaning = question.meaning(bound={index: 0} if index else {})
     value = meaning.value(other)
-    if speaks_of(value, letter):
+    if speaks_of(value, letter) or _is_clock(question, letter, other, value):
         return None
     if letter in habits.lengths and speaks_of(value, replace(letter, bold=True)):
         return None  # its length is known
@@ -79,6 +79,13 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     why = f"what {in_words(name)} stands for"
     brings = frozenset({in_words(letter)})
     return Outcome(DEFINITION, why, frozenset(meaning.used), brings=brings), known
+
+
+def _is_clock(question: Question, letter: Letter, other: Node, value: Value) -> bool:
+    """Whether it is the time, by what is given in time itself: t = γ(t′ + v x′/c²)."""
+    called = any(isinstance(x, n.Call) for x in n.walked(other))  # t = x(t)/u is put into others
+    timed = not isinstance(value, MatrixBase) and value.has(TIME)
+    return letter == question.context.habits.running and timed and not called
 
 
 def _acts(letter: Letter, other: Node) -> bool:

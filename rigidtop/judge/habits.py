@@ -145,11 +145,18 @@ def _parameters(read: Sequence[Statement], moving: Collection[Letter]) -> set[Le
     driven |= _beside_time(read) | {name for name, value in given if CLOCK in n.letters(value)}
     for name, value in given:
         letters = n.letters(value)
-        alike = value.of if isinstance(value, n.Negative) else value
-        if name in moving and not letters & driven and not isinstance(alike, Letter):
+        if name in moving and not letters & driven and not _is_multiple(value):
             places = [x for x in letters if x.base in COORDINATES and not x.sub]
             parameters |= {*places} if len(places) == 1 else set()
     return parameters
+
+
+def _is_multiple(value: Node) -> bool:
+    """Whether it is a number of times a letter, which may be its value at one place: v = 3 u."""
+    bare = value.of if isinstance(value, n.Negative) else value
+    factors = bare.factors if isinstance(bare, n.Product) else (bare,)
+    names = [x for x in factors if n.letters(x)]
+    return len(names) == 1 and isinstance(names[0], Letter)
 
 
 _DELTA = Letter("δ")

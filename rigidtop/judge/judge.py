@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from rigidtop.judge import approximations, bounds, equality, places, roots
 from rigidtop.judge.components import each_component
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.context import SETTING, START, Bound, Constraint, Context, Definition
+from rigidtop.judge.context import SETTING, START, Bound, Constraint, Context, Definition, Limit
 from rigidtop.judge.jets import jets
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
 from rigidtop.judge.letters import TURNING
@@ -488,6 +488,12 @@ def _conditioned(question: Question, relation: str) -> Judgement:
             gap = n.Sum((each.left, n.Negative(other)))
             context = replace(context, not_zero=(*context.not_zero, gap))
     elif relation in ("≪", "≫"):
-        little = own_letters(question.left if relation == "≪" else question.right)
-        context = context.comparing(little, question.at.sentence)
+        less, more = question.left, question.right
+        if relation == "≫":
+            less, more = more, less
+        context = context.comparing(own_letters(less), question.at.sentence)
+        if isinstance(less, n.Number) and isinstance(more, Letter):  # x ≫ 1, whatever it was above
+            limit = Limit(more, True, question.at.sentence)
+            kept = tuple(x for x in context.little if x and more not in x)
+            context = replace(context, little=kept, limits=(*context.limits, limit))
     return Outcome(PREMISE, "a condition"), context

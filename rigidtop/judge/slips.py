@@ -39,11 +39,13 @@ def changes(
     moving: frozenset[Letter],
     letter: Letter | None = None,
     indices: frozenset[str] = frozenset(),
+    sums: frozenset[n.Sum] = frozenset(),
 ) -> list[Change]:
     """The likeliest first; with `letter` only those that put another letter in its place.
 
     `known` are letters that may be put in, `moving` those that have rates; no letter is exchanged
-    for one that differs in an index of `indices`, of which a sum says what it means.
+    for one that differs in an index of `indices`, of which a sum says what it means.  Of a letter
+    may be one of `sums` in which it stands, as R − a.
     """
     names = n.letters(left) | n.letters(right)
     found = []
@@ -52,6 +54,9 @@ def changes(
         for node, words, rank in _changed(side, names, known, moving, letter, whole):
             sides = (node, other) if is_left else (other, node)
             found.append(Change(*sides, words, rank + 0.1 * is_left))
+        for node, words, rank in _everywhere(side, lambda x: _in_sums(x, sums)):
+            sides = (node, other) if is_left else (other, node)
+            found.append(Change(*sides, words, rank))
     if indices:
         found = [each for each in found if not _exchanges(each, left, right, indices)]
     return sorted(found, key=lambda change: change.rank)[:MOST]
@@ -218,6 +223,14 @@ def _single(
                 yield n.Power(n.Group(node), Number("2")), f"{plain(node)} squared", 2.2
             yield from _exchanged(over, under)
             yield from _of_the_other_sum(over, under)
+
+
+def _in_sums(node: Node, sums: frozenset[n.Sum]) -> Iterator[tuple[Node, str, float]]:
+    """For a letter the sums in which it stands: R − a for R."""
+    if isinstance(node, Letter):
+        for each in sorted(sums, key=repr):
+            if node in map(_bare, each.terms):
+                yield n.Group(each), f"{plain(each)} in place of {plain(node)}", 2.6
 
 
 def _of_the_other_sum(over: Node, under: Node) -> Iterator[tuple[Node, str, float]]:

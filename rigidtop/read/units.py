@@ -18,6 +18,15 @@ _UNIT: Final = re.compile(
 _UNITS: Final = re.compile(r"([^\W\d_]+|°)\s*(?:\^?\s*([-−]?\d+))?|([/()])|[·.\s*]+")
 
 
+_JOINED: Final = re.compile(r"([EPTGMkm]?[WANV])(h|s|m|A)")
+"""Two units that are written as one word: kWh, Nm, Ah."""
+
+
+def _apart(name: str) -> list[str]:
+    joined = None if _UNIT.fullmatch(name) else _JOINED.fullmatch(name)
+    return [*joined.groups()] if joined else [name]
+
+
 def raised(unit: Unit, exponent: Node) -> Node:
     """A unit with its power; nobody divides by milliseconds: ms^-1 is a metre a second."""
     if unit.name == "ms" and isinstance(exponent, Negative):
@@ -35,12 +44,12 @@ def units(text: str) -> Node | None:
             return None
         end = match.end()
         name, power, sign = match.groups()
-        if name and not _UNIT.fullmatch(name):
+        names = _apart(name) if name else []
+        if not all(map(_UNIT.fullmatch, names)):
             return None
-        if name:
-            unit = Unit(name)
+        for unit in map(Unit, names):
             made: Node = unit
-            if power:
+            if power and unit.name == names[-1]:
                 value = Number(power.lstrip("-−"))
                 made = raised(unit, Negative(value) if power[0] in "-−" else value)
             (under if below else over).append(made)

@@ -53,7 +53,7 @@ KINDS = [
     ("a distance d", LOAD, r"J = 5M d^2 + 4m d^2", "5M", "3M", "5 in place of 3"),
     ("a bracket", MOMENTA, r"\{p_x, L_y\} = p_z", "p_z", "p_y", "p_z in place of p_y"),
     ("a square", SQUARES, r"a^2 = c^2 - (\gamma B)^2", r"(\gamma B)^2", r"\gamma B", "γ B squared"),
-    ("masses", MASSES, r"v = \frac{p}{m + M}", "m + M", "M", "M + m in place of M"),
+    ("masses", MASSES, r"v = \frac{p}{m + M}", "m + M", "M", "m + M in place of M"),
     ("a root", FALL, r"v + u = \sqrt{2 g h}", r"\sqrt{2 g h}", "2 g h", "the root of it"),
 ]
 """A name, what stands above, a line that follows, what is changed in it, and what is told then."""
