@@ -47,6 +47,8 @@ from rigidtop.tree.statement import Statement
 def judged(question: Question) -> Judgement:
     """The outcome of ≈; raises UnclearError."""
     defined = definitions.definition(question, question.left, question.right)
+    if defined is None and question.at.closed:  # ω₁ ≈ w names w
+        defined = definitions.definition(question, question.right, question.left)
     if defined is not None:
         root = _nearly_root(question)
         if root is None:

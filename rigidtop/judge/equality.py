@@ -300,6 +300,7 @@ def _judged_new(question: Question, holds: bool | None) -> Judgement:
         or settings.setting(question)
         or settings.chosen(question)
         or settings.part(question)
+        or settings.coordinates(question)
         or worth.number(question)
         or novelties.law(question)
         or _wrong(question, holds)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any, Self
 
 import sympy
@@ -18,7 +18,7 @@ from sympy import Expr, ImmutableMatrix, MatrixBase, Rational, Symbol
 from rigidtop.judge.brackets import bracket, conjugates, is_bracket
 from rigidtop.judge.calculus import Calculus, put
 from rigidtop.judge.jets import Jet, jets, symbol
-from rigidtop.judge.names import is_vector
+from rigidtop.judge.names import component_of, is_vector
 from rigidtop.judge.units import UNITS
 from rigidtop.judge.values import (
     UnclearError,
@@ -161,11 +161,18 @@ def _poisson(meaning: Meaning, one: Node, other: Node) -> Expr | None:
     """The bracket of two functions, in their letters as they stand or in what these stand for."""
     names = meaning.context.letters
     momenta = frozenset(x for pair in conjugates(names) for x in pair)
-    for inner in (meaning.with_(held=meaning.held | momenta), meaning):
-        value = bracket(inner.scalar(one), inner.scalar(other), names)
+    held = meaning.with_(held=meaning.held | momenta)
+    for inner, f, g in product((held, meaning), _forms(meaning, one), _forms(meaning, other)):
+        value = bracket(inner.scalar(f), inner.scalar(g), names)
         if value is not None:
             return meaning.context.brackets * value
     return None
+
+
+def _forms(meaning: Meaning, node: Node) -> list[Node]:
+    """A function, and what a text has found for it: its rates, or its momenta."""
+    definition = meaning.definition(node) if isinstance(node, Letter) else None
+    return [node, *(definition.also if definition is not None else ())]
 
 
 def _in_space(meaning: Meaning, made: MatrixBase) -> Value:
@@ -194,6 +201,8 @@ def _transposed(meaning: Meaning, node: n.Transposed) -> Value:
 def _taken(meaning: Meaning, node: n.Component) -> Value:
     value = meaning.value(node.of)
     names = "123" if node.index in "123" else "xyz"
+    if isinstance(value, MatrixBase) and node.index.endswith("′"):  # along e₁′
+        return meaning.scalar(n.Dot(node.of, component_of(Letter("e", node.index)).right))
     if not isinstance(value, MatrixBase) or node.index not in names:
         raise UnclearError("a component of what is no vector")
     basis = meaning.context.basis

@@ -243,6 +243,35 @@ def part(question: Question) -> Judgement | None:
     return outcome, question.context.holding(question.constraint(SUPPOSED))
 
 
+def coordinates(question: Question) -> Judgement | None:
+    """What fixes letters of an answer's own that move: ω₂ = A sin χ behind ω₁ = A cos χ.
+
+    It says what was left open of them, or, where that was but a sign, which one is meant.
+    """
+    if not question.at.closed or question.at.instant or question.inner:
+        return None
+    asked = {x for gap in question.gaps for x in gap.free_symbols}
+    free = [x for x in question.worlds.letters if x in asked and _is_named(question, x)]
+    if not free:
+        return None
+    known = question.context.holding(question.constraint(SUPPOSED))
+    squares = [(left**2, right**2) for left, right in question.both]
+    if not fixes(question, free):
+        chooses = question.worlds.holds(squares) and len(squares) == 1
+        if not (chooses and question.of(question.both, known).worlds.count):
+            return None
+    return Outcome(PREMISE, "it says what is meant", question.rests_on_meaning), known
+
+
+def _is_named(question: Question, x: Symbol) -> bool:
+    """Whether it is a letter that no facts know and nothing else is called, though it may move."""
+    context, jet = question.context, jet_of(x)
+    known = context.given | context.declared | context.definitions.keys()
+    return (
+        jet is not None and not (jet.order or jet.place or jet.instant) and jet.letter not in known
+    )
+
+
 def is_own(question: Question, jet: Jet) -> bool:
     """Whether it is a constant that no facts know and nothing else is called."""
     context = question.context

@@ -230,6 +230,8 @@ class Vocabulary(ABC):
                 if definition is None or isinstance(definition.node, Meant):
                     continue
                 if letter not in n.letters(definition.node):
+                    if along.right in self.context.definitions:
+                        return self.scalar(along)
                     value = self.letter(vector)
                     if isinstance(value, MatrixBase) and value.shape == (3, 1):
                         return value[names.index(letter.sub)]

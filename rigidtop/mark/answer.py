@@ -32,6 +32,7 @@ from rigidtop.mark.assertions import asserted
 from rigidtop.mark.facts import GIVEN
 from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.task import Branch, Task, Together, letters
+from rigidtop.read.phrases import Cue
 from rigidtop.read.walk import places
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -168,7 +169,7 @@ class _Answer:
             searched = judged((*self.contexts, self.names), self.judge)
             outcome = next((o for o, _ in searched if o.slip), outcome)
         there, aside = self._beside(each, at, outcome, limits)
-        is_aside = there.passed or there.verdict == PREMISE
+        is_aside = bool(there.passed) or there.verdict in (PREMISE, DEFINITION)
         outcome = there if is_aside else outcome
         if outcome.verdict == FALSE and self._holds_then(each, at, limits):
             outcome = Outcome(UNDECIDED, "it holds at the moment of which the line before speaks")
@@ -202,7 +203,7 @@ class _Answer:
             carried=carried,
             moment=at.instant or (self.moment if outcome.verdict == UNDECIDED else ""),
             aside=aside,
-            aside_sentence=at.sentence,
+            aside_sentence=at.sentence if aside is not None else self.aside_sentence,
         )
         return answer, outcome, place
 
@@ -227,15 +228,19 @@ class _Answer:
 
         It is a case that laws exclude, as θ = 0, where the equations for φ and ψ divide by zero.
         """
-        aside = self.aside if at.sentence == self.aside_sentence else None
+        aside = self.aside if at.sentence - self.aside_sentence <= at.inline else None
         begins = aside is None and not each.continues and (at.supposed or bool(at.instant))
-        if outcome.verdict != FALSE or (aside is None and not begins):
+        fails = outcome.verdict == FALSE or (outcome.verdict == UNDECIDED and at.inline)
+        if not fails or (aside is None and not begins):
             return Outcome(UNDECIDED), aside
         known = aside or _without_facts(self.contexts[0])
         quick = Judge(self.judge.memory, patience=Patience(0))
+        value = isinstance(each.sides[-1], n.Number) and len(n.letters(each.sides[0])) == 1
+        at = at.hearing(Cue.CASE) if value else at
         [(there, known)] = _judged(quick, each, at, [known], limits)
-        if begins and there.verdict != PREMISE:
-            return Outcome(UNDECIDED), None
+        sets = there.verdict in (PREMISE, DEFINITION) and at.supposed
+        if not (sets or (there.passed and not begins)):
+            return Outcome(UNDECIDED), aside
         return there, known
 
     def _holds_then(self, each: Statement, at: Situation, limits: _Limits) -> bool:
@@ -256,6 +261,8 @@ class _Answer:
         in_body = _in_body(each) if self.in_body else None
         if in_body is not None:
             yield in_body, FALSE
+        if (vectors := _of_vectors(each, self.contexts)) is not None:
+            yield vectors, FALSE
 
     def _lost(self, each: Statement) -> list[str]:
         """What a line that follows leaves out that the facts allow, unless that is excluded."""
@@ -386,6 +393,28 @@ def _with_habits(context: Context, own: Habits) -> Context:
             lengths=habits.lengths | own.lengths - {*context.definitions} - context.given,
         ),
     )
+
+
+def _of_vectors(each: Statement, contexts: Sequence[Context]) -> Statement | None:
+    """The statement with vectors for letters with a point or a cross between: ω·L, in plain text."""
+    given = frozenset().union(*(context.given for context in contexts))
+
+    def vector(node: Node) -> Node:
+        bold = replace(node, bold=True) if isinstance(node, Letter) else node
+        return bold if bold in given else node
+
+    def seen(node: Node) -> Node:
+        match node:
+            case n.Dot(n.Product((*factors, Letter() as left)), Letter() as right):
+                return n.Product((*factors, n.Dot(vector(left), vector(right))))
+            case n.Dot(Letter() as left, Letter() as right):
+                return n.Dot(vector(left), vector(right))
+            case n.Cross(Letter() as left, Letter() as right):
+                return n.Cross(vector(left), vector(right))
+        return node
+
+    sides = tuple(n.mapped(side, seen) for side in each.sides)
+    return replace(each, sides=sides) if sides != each.sides else None
 
 
 def _with_vector(each: Statement, contexts: Sequence[Context]) -> Statement | None:

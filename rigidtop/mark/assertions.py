@@ -46,6 +46,7 @@ def asserted(
     declared, large = declared_letters(source), _behind_large(read)
     moving = frozenset().union(*map(_moving, task.contexts))
     moments = [each or _only_there(k, read, facts) for k, each in enumerate(instants(read, moving))]
+    tried = -1  # the sentence in which numbers are tried
     for number in _explained_first(read, facts):
         passage, each = read[number]
         position = passage.start + each.position
@@ -59,7 +60,8 @@ def asserted(
         if _is_transformation(each) or _is_notation(each):
             continue
         at = situation(passage, number, moments[number], False, declared)
-        if _is_supposed(passage, each):
+        tried = passage.sentence if _TRIED.match(passage.before) else tried
+        if _is_supposed(passage, each) or (tried == passage.sentence and _is_value(passage, each)):
             at = at.hearing(Cue.CASE)
         if large[number]:
             at = replace(at, cues=at.cues - {Cue.SMALL, Cue.APPROXIMATED} | {Cue.LARGE})
@@ -91,15 +93,25 @@ _SUPPOSE = re.compile(
 """Words with which a sentence begins that supposes something."""
 
 
+_TRIED = re.compile(
+    r"\W*(?:(?:a )?(?:numerical |quick |sanity |simple )?(?:test|check|example|special case|limit)"
+    r"|for (?:example|instance)|e\. ?g\.|numbers|zum beispiel|z\. ?B\.|beispiel|probe|kontrolle)\b",
+    re.I,
+)
+"""Words with which a sentence begins that tries numbers."""
+
+
 def _is_supposed(passage: Passage, each: Statement) -> bool:
     """Whether letters are given a number in the first statement of a sentence that supposes."""
-    sides = (x.of if isinstance(x, n.Rate) and x.dotted else x for x in each.sides[:-1])
-    return (
-        not passage.display
-        and bool(_SUPPOSE.match(passage.before))
-        and isinstance(each.sides[-1], n.Number)
-        and all(isinstance(side, Letter) for side in sides)
-    )
+    return bool(_SUPPOSE.match(passage.before)) and _is_value(passage, each)
+
+
+def _is_value(passage: Passage, each: Statement) -> bool:
+    """Whether letters, or their rates, or a product of them are given a number."""
+    sides = (x.of if isinstance(x, n.Rate | n.Primed) else x for x in each.sides[:-1])
+    number = not any(isinstance(x, Letter) for x in n.walked(each.sides[-1]))
+    names = (y for x in sides for y in (x.factors if isinstance(x, n.Product) else (x,)))
+    return not passage.display and number and all(isinstance(x, Letter) for x in names)
 
 
 def _behind_large(read: Read) -> list[bool]:

@@ -57,9 +57,10 @@ class Names:
                 Letter() as tensor, Letter("ω", bold=True) as omega
             ) if tensor.base in _TENSORS and not tensor.sub and tensor not in self.facts:
                 return n.Product((TENSOR, omega))
-            case n.Primed(Letter("e", mark="") as axis, 1):
+            case n.Primed(Letter(mark="", sub=sub) as axis, 1) if sub in ("1", "2", "3"):
                 named = replace(axis, bold=True, mark="′")
-                return named if named in self.facts else node
+                component = replace(axis, sub=sub + "′")
+                return next((x for x in (named, component) if x in self.facts), node)
             case Letter():
                 return self._letter(node)
         return node
@@ -69,7 +70,7 @@ class Names:
             return _LAGRANGIAN
         if letter in self.facts:
             return letter
-        if letter not in self.defined:
+        if letter not in self.defined or letter.mark == "hat":
             primed = _primed(letter)
             marks = [letter, primed, replace(letter, mark=_hatless(letter))]
             bold = [primed, *(replace(x, bold=True) for x in marks)]

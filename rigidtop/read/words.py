@@ -37,7 +37,7 @@ SMALL = (
     r"|swings?"
     r"|amplitudes?|motions?|perturbations?|disturbances?|deflections?|things|quantities|terms)"
     r"|(?:first|second|lowest|leading|linear) order|approximately|roughly"
-    rf"|(?:nearly|almost)(?! {LIKE})"
+    rf"|(?:nearly|almost)(?! {LIKE})|tiny|minute(?= \(|\Z|,)"
     r"|linear(?:is|iz)"
     r"|neglect|dropping|(?:I|we) drop|slightly"
     r"|kleinen? (?:§|Winkeln?|Schwingung(?:en)?|Auslenkung(?:en)?|Ausschläge|Störung(?:en)?)"
