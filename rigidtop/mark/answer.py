@@ -29,7 +29,7 @@ from rigidtop.judge.text import in_time
 from rigidtop.judge.vocabulary import Meant
 from rigidtop.mark.arrival import equalities, head, holds_on, is_reached, is_said, is_trivial
 from rigidtop.mark.assertions import asserted
-from rigidtop.mark.facts import GIVEN
+from rigidtop.mark.facts import GIVEN, is_turned, with_angles
 from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.task import Branch, Task, Together, letters
 from rigidtop.read.phrases import Cue
@@ -62,7 +62,7 @@ def mark(
     until = time.process_time() + altogether
     source = _CODE.sub(lambda match: f" {match[1]} ", source)
     read, _ = read_text(source, until=until, plain=True)
-    task = _in_names_of(read, task)
+    task = _in_angles(read, _in_names_of(read, task))
     answer = _Answer.begun(source, read, task)
     lines: list[Marked] = []
     line_of = places(source)
@@ -212,6 +212,7 @@ class _Answer:
     ) -> tuple[Statement, list[tuple[Outcome, Context]]]:
         """A line as it is written, or as it may be meant where it fails so; with its outcomes."""
         quick = Judge(self.judge.memory, patience=Patience(0))
+        each = _aligned(each, self.contexts) if at.supposed else each
         judgements = _judged(quick, each, at, self.contexts, limits)
         for other, verdict in self._otherwise(each):
             if any(outcome.verdict != verdict for outcome, _ in judgements):
@@ -370,6 +371,18 @@ def _in_names_of(read: Read, task: Task) -> Task:
     return replace(task, contexts=contexts, names=_without_names(task.names, named))
 
 
+_ANGLES = frozenset({Letter("θ"), Letter("φ")})
+
+
+def _in_angles(read: Read, task: Task) -> Task:
+    """A task about a body whose attitude has Euler's angles, if the answer writes them."""
+    stated = (each for _, each in read if isinstance(each, Statement))
+    spoken = frozenset().union(*map(letters, stated))
+    if not _ANGLES & spoken or not all(map(is_turned, task.contexts)):
+        return task
+    return replace(task, contexts=tuple(map(with_angles, task.contexts)))
+
+
 def _without_names(context: Context, named: Collection[Node]) -> Context:
     """A context in which these letters are not what the pages call so."""
     dropped = {
@@ -395,8 +408,20 @@ def _with_habits(context: Context, own: Habits) -> Context:
     )
 
 
+def _aligned(each: Statement, contexts: Sequence[Context]) -> Statement:
+    """L_z = L as **L** = L **ẑ**: a component is as long as its vector if that lies along its axis."""
+    given = frozenset().union(*(context.given for context in contexts))
+    match each.sides:
+        case (Letter(base, "z", "", False), Letter(other, "", "", False) as length) if (
+            base == other and replace(length, bold=True) in given
+        ):
+            axis = Letter("z", mark="hat", bold=True)
+            return replace(each, sides=(replace(length, bold=True), n.Product((length, axis))))
+    return each
+
+
 def _of_vectors(each: Statement, contexts: Sequence[Context]) -> Statement | None:
-    """The statement with vectors for letters with a point or a cross between: ω·L, in plain text."""
+    """The statement with vectors for letters with a point or a cross between, in plain text: ω·L."""
     given = frozenset().union(*(context.given for context in contexts))
 
     def vector(node: Node) -> Node:

@@ -17,7 +17,7 @@ from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Symbol as Lettered
 from rigidtop.theory.rotation import euler_matrix, euler_omega, primed_matrix
 from rigidtop.theory.symbols import Glyph
-from rigidtop.tree.nodes import Letter
+from rigidtop.tree.nodes import Letter, Node
 
 GIVEN = -1
 """The number of a statement that is given."""
@@ -67,6 +67,54 @@ def context(model: Model, declared: frozenset[Letter] = frozenset()) -> Context:
         timeless=model.timeless,
         bases=given.bases(),
     )
+
+
+def with_angles(known: Context) -> Context:
+    """What is said of a free body, its attitude by Euler's angles, as an answer may write it."""
+    shown = {hidden: angle for angle, hidden in _HIDDEN.items()}
+
+    def visible(node: Node) -> Node:
+        return Meant(_put(node.value, shown)) if isinstance(node, Meant) else node
+
+    definitions = {x: replace(d, node=visible(d.node)) for x, d in known.definitions.items()}
+    angles = frozenset(letter(s.VOCABULARY[x].glyph) for x in _ANGLES)
+    axes = _mapped(primed_matrix())
+    for k in (0, 1):
+        axis = Letter("e", str(k + 1), "′", bold=True)
+        definitions[axis] = Definition(Meant(ImmutableMatrix(axes[:, k])), GIVEN)
+    for k, name in enumerate("xyz"):
+        fixed = Letter(name, mark="hat", bold=True)
+        definitions[fixed] = Definition(Meant(ImmutableMatrix(eye(3)[:, k])), GIVEN)
+    momentum = definitions[Letter("L", bold=True)].node
+    definitions[Letter("L", "z")] = Definition(Meant(momentum.value[2]), GIVEN)  # type: ignore[attr-defined]
+    letters = known.letters | angles | definitions.keys()
+    return replace(
+        known,
+        habits=replace(known.habits, moving=known.habits.moving | angles),
+        definitions=definitions,
+        constraints=tuple(
+            replace(c, left=visible(c.left), right=visible(c.right)) for c in known.constraints
+        ),
+        letters=letters,
+        given=letters,
+        bases=(*(ImmutableMatrix(_put(x, shown)) for x in known.bases), ImmutableMatrix(axes)),
+    )
+
+
+def _put(value: Any, numbers: Mapping[Expr, Expr]) -> Any:
+    if isinstance(value, MatrixBase):
+        return ImmutableMatrix(value.applyfunc(lambda x: x.xreplace(numbers)))
+    return sympy.sympify(value).xreplace(numbers)
+
+
+def is_turned(known: Context) -> bool:
+    """Whether it is about a body whose attitude has no name."""
+    return not _numbers(known).isdisjoint(_HIDDEN.values())
+
+
+def _numbers(known: Context) -> frozenset[Symbol]:
+    values = (x for c in known.constraints for x in (c.left, c.right) if isinstance(x, Meant))
+    return frozenset().union(*(sympy.sympify(x.value).free_symbols for x in values))
 
 
 def special(model: Model) -> tuple[Mapping[Expr, Expr], ...]:
