@@ -229,7 +229,7 @@ class _Answer:
 
         It is a case that laws exclude, as θ = 0, where the equations for φ and ψ divide by zero.
         """
-        aside = self.aside if at.sentence - self.aside_sentence <= at.inline else None
+        aside = self.aside if at.sentence == self.aside_sentence else None
         begins = aside is None and not each.continues and (at.supposed or bool(at.instant))
         fails = outcome.verdict == FALSE or (outcome.verdict == UNDECIDED and at.inline)
         if not fails or (aside is None and not begins):
@@ -409,7 +409,7 @@ def _with_habits(context: Context, own: Habits) -> Context:
 
 
 def _aligned(each: Statement, contexts: Sequence[Context]) -> Statement:
-    """L_z = L as **L** = L **ẑ**: a component is as long as its vector if that lies along its axis."""
+    """L_z = L as **L** = L **ẑ**: a component as long as its vector has that along its axis."""
     given = frozenset().union(*(context.given for context in contexts))
     match each.sides:
         case (Letter(base, "z", "", False), Letter(other, "", "", False) as length) if (
@@ -421,7 +421,7 @@ def _aligned(each: Statement, contexts: Sequence[Context]) -> Statement:
 
 
 def _of_vectors(each: Statement, contexts: Sequence[Context]) -> Statement | None:
-    """The statement with vectors for letters with a point or a cross between, in plain text: ω·L."""
+    """The statement with vectors for letters with a point or a cross between, as plain ω·L."""
     given = frozenset().union(*(context.given for context in contexts))
 
     def vector(node: Node) -> Node:

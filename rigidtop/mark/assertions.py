@@ -46,7 +46,7 @@ def asserted(
     declared, large = declared_letters(source), _behind_large(read)
     moving = frozenset().union(*map(_moving, task.contexts))
     moments = [each or _only_there(k, read, facts) for k, each in enumerate(instants(read, moving))]
-    tried = -1  # the sentence in which numbers are tried
+    tried: Passage | None = None  # where numbers are tried
     for number in _explained_first(read, facts):
         passage, each = read[number]
         position = passage.start + each.position
@@ -60,8 +60,11 @@ def asserted(
         if _is_transformation(each) or _is_notation(each):
             continue
         at = situation(passage, number, moments[number], False, declared)
-        tried = passage.sentence if _TRIED.match(passage.before) else tried
-        if _is_supposed(passage, each) or (tried == passage.sentence and _is_value(passage, each)):
+        tried = passage if _TRIED.match(passage.before) else tried
+        if tried is not None and _goes_on(source, tried, passage):
+            at = replace(at, sentence=tried.sentence)
+            at = at.hearing(Cue.CASE) if _is_value(passage, each) else at
+        if _is_supposed(passage, each):
             at = at.hearing(Cue.CASE)
         if large[number]:
             at = replace(at, cues=at.cues - {Cue.SMALL, Cue.APPROXIMATED} | {Cue.LARGE})
@@ -99,6 +102,12 @@ _TRIED = re.compile(
     re.I,
 )
 """Words with which a sentence begins that tries numbers."""
+
+
+def _goes_on(source: str, begun: Passage, passage: Passage) -> bool:
+    """Whether a formula stands in the same paragraph, at most a sentence farther."""
+    near = begun.sentence <= passage.sentence <= begun.sentence + 1
+    return near and not re.search(r"\n[ \t]*\n", source[begun.start : passage.start])
 
 
 def _is_supposed(passage: Passage, each: Statement) -> bool:
