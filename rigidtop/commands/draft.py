@@ -7,6 +7,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -189,7 +190,7 @@ def _remarks(notes: Notes) -> Iterator[Remark]:
     whole_text = whole(notes.files)
     ends = {}
     rows = sorted((x for each in notes.findings for x in each.rows), key=lambda row: row.position)
-    for row, after in zip(rows, [*rows[1:], None], strict=True):
+    for row, after in zip_longest(rows, rows[1:]):
         end = row.passage.start + len(row.passage.text)
         ends[row.number] = min(end, after.position) if after is not None else end
     for finding in notes.findings:

@@ -203,6 +203,12 @@ def test_an_old_text_is_given_up_and_taken_up_again(judged):
     assert outcomes(audit) == outcomes(Draft(Path("bob.md")).audit(BOB, collection))
 
 
+def test_a_dollar_too_much_is_told_where_no_formula_stands():
+    audit = Draft(Path("text.md")).audit("m$ hangs on a rod.", built_in())
+    [remark] = audit.remarks
+    assert (remark.start, remark.end, remark.finding.verdict) == (0, 18, "unread")
+
+
 def test_columns_are_counted_as_the_protocol_says():
     lines = Lines("a𝜔b\n\nc")
     assert [lines.place(k) for k in range(7)] == [
