@@ -301,8 +301,12 @@ class Order(Node):
 def parts(node: Node) -> tuple[Node, ...]:
     """The nodes right below a node, in the order in which they are written."""
     found: list[Node] = []
-    for value in _values(node):
-        _collect(value, found)
+    for name in _branches(node.__class__):  # type: ignore[arg-type]
+        value = getattr(node, name)
+        if isinstance(value, tuple):
+            _collect(value, found)
+        elif isinstance(value, Node):
+            found.append(value)
     return tuple(found)
 
 
@@ -359,6 +363,12 @@ def _values(node: Node) -> list[object]:
 @cache
 def _names(kind: type) -> tuple[str, ...]:
     return tuple(field.name for field in fields(kind))
+
+
+@cache
+def _branches(kind: type) -> tuple[str, ...]:
+    """The fields of a kind of node in which nodes may stand: a tree is walked very often."""
+    return tuple(x.name for x in fields(kind) if x.type not in ("str", "bool", "int"))
 
 
 def _collect(value: object, found: list[Node]) -> None:
