@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rigidtop.commands.notes import NoFormulasError, Notes, audited
-from rigidtop.judge.context import Context
+from rigidtop.judge.carried import Older
+from rigidtop.judge.judge import Judge
 from rigidtop.judge.outcome import UNDECIDED, Outcome
-from rigidtop.judge.question import Patience
-from rigidtop.judge.reading import LATE
-from rigidtop.judge.text import Asked, Reading, Row, Step, reading, rows_of, steps
+from rigidtop.judge.text import Asked, Known, Reading, Row, Step, reading, rows_of, start, step
 from rigidtop.read.project import sources, whole
 
 if TYPE_CHECKING:
@@ -35,13 +34,15 @@ class OldTextError(Exception):
 
 @dataclass
 class History:
-    """How far a text has been judged, so that what stands above a change is not judged again.
+    """How far a text has been judged, so that what is as before is not judged again.
 
-    What a text says of all its letters has to be as it was.
+    What a text says of all its letters has to be as it was. `whole` is the last text that has been
+    judged to its end, if this one has not.
     """
 
     read: Reading | None = None
     steps: list[Step] = field(default_factory=list)
+    whole: tuple[Reading, list[Step]] | None = None
 
     def rows(self, text: str, macros: Macros, until: float, refusal: Refusal) -> tuple[Row, ...]:
         """Each statement as it is judged, in order.
@@ -49,35 +50,37 @@ class History:
         `refusal` is asked before each one, and may raise an error that ends it all.
         """
         read = reading(text, macros, until)
-        self.steps = [*self._kept(read)]
-        self.read = read
-        following = steps(read, until, self.steps)
-        for asked in read.asked[len(self.steps) :]:
-            why = refusal(asked, read)
-            if why:
-                self.steps.append(_refused(asked, why, read, self.steps))
-                following = steps(read, until, self.steps)
-            else:
-                self.steps.append(next(following))
+        older = [*self._begin(read)]
+        judge = Judge()
+        for asked in read.asked:
+            known = self.steps[-1].behind if self.steps else start(read)
+            made = next((x for each in older if (x := each.carried(self.steps))), None)
+            if made is None:
+                why = refusal(asked, read)
+                made = (
+                    _refused(asked, why, known) if why else step(asked, read, judge, known, until)
+                )
+            self.steps.append(made)
+        self.whole = None
         return rows_of(self.steps)
 
-    def _kept(self, read: Reading) -> Iterator[Step]:
-        """The steps that stand as they are."""
-        last = self.read
-        if last is None or (last.habits, last.names) != (read.habits, read.names):
-            return
-        for step, asked in zip(self.steps, read.asked, strict=False):
-            if step.asked != asked or (step.row and step.row.outcome.why == LATE):
-                return
-            yield step
+    def _begin(self, read: Reading) -> Iterator[Older]:
+        """Nothing of a text is judged yet; what was judged before of others."""
+        if self.read is not None:
+            yield Older(self.read, self.steps, read)
+            if len(self.steps) == len(self.read.asked):
+                self.whole = self.read, self.steps
+        if self.whole is not None and self.whole[1] is not self.steps:
+            yield Older(*self.whole, read)
+        self.read, self.steps = read, []
 
 
-def _refused(asked: Asked, why: str, read: Reading, made: Sequence[Step]) -> Step:
+def _refused(asked: Asked, why: str, known: Known) -> Step:
     """What is left open; behind it the same is known as before."""
-    row = Row(asked.line, asked.statement, Outcome(UNDECIDED, why), asked.passage, asked.number)
-    if made:
-        return replace(made[-1], asked=asked, row=row)
-    return Step(asked, row, Context(read.habits), None, Patience().seconds)
+    outcome = Outcome(UNDECIDED, why)
+    return Step(
+        asked, Row(asked.line, asked.statement, outcome, asked.passage, asked.number), known
+    )
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 from rigidtop.judge.context import START
@@ -71,7 +71,21 @@ def instants(read: Read, moving: frozenset[Letter] = frozenset()) -> list[str]:
         if named and each.sides[0] in moving:
             words.now, words.any_time = "", True
         seen |= letters_in(each)
-    return made
+    return _counted(made)
+
+
+def _counted(made: Sequence[str]) -> list[str]:
+    """The instants with those that have a place for a name counted: places move as one writes.
+
+    >>> _counted(["", "s7", "start", "s7", "s9-310"])
+    ['', 's000', 'start', 's000', 's001']
+    """
+    placed = dict.fromkeys(x for x in made if _PLACED.fullmatch(x))
+    names = {x: f"s{count:03}" for count, x in enumerate(placed)}
+    return [names.get(x, x) for x in made]
+
+
+_PLACED = re.compile(r"s\d+(?:-\d+)?")
 
 
 @dataclass

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import time
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import groupby
 from math import inf
@@ -97,17 +97,24 @@ class Reading:
 
 
 @dataclass(frozen=True)
-class Step:
-    """What became of something asked, None where it says nothing, and what is known behind it.
+class Known:
+    """What is known at a place, and the scope of the statement in front of it.
 
     For so many `seconds` slips may still be looked for.
     """
 
-    asked: Asked
-    row: Row | None
     context: Context
     scope: tuple[int, ...] | None
     seconds: float
+
+
+@dataclass(frozen=True)
+class Step:
+    """What became of something asked, None where it says nothing, and what is known behind it."""
+
+    asked: Asked
+    row: Row | None
+    behind: Known
 
 
 def judged(source: str, macros: Macros | None = None, until: float = inf) -> tuple[Row, ...]:
@@ -125,7 +132,7 @@ def folded(
     """The same, with what is known behind the last statement."""
     read = reading(source, macros, until)
     made = [*steps(read, until)]
-    return rows_of(made), made[-1].context if made else Context(read.habits)
+    return rows_of(made), (made[-1].behind if made else start(read)).context
 
 
 def rows_of(made: Iterable[Step]) -> tuple[Row, ...]:
@@ -215,19 +222,40 @@ _GIVE = re.compile(
 )
 
 
-def steps(read: Reading, until: float = inf, made: Sequence[Step] = ()) -> Iterator[Step]:
-    """Each statement of a text judged, behind those that have been: they are not judged again."""
-    last = made[-1] if made else None
-    context, scope = Context(read.habits), None
-    judge = Judge()
-    if last is not None:
-        context, scope = last.context, last.scope
-        judge = Judge(patience=Patience(last.seconds))
-    for asked in read.asked[len(made) :]:
-        row, context = _step(asked, read, judge, context, scope, until)
-        if row is not None and isinstance(asked.statement, Statement):
-            scope = asked.passage.scope
-        yield Step(asked, row, context, scope, judge.patience.seconds)
+def steps(read: Reading, until: float = inf) -> Iterator[Step]:
+    """Each statement of a text judged."""
+    judge, known = Judge(), start(read)
+    for asked in read.asked:
+        made = step(asked, read, judge, known, until)
+        yield made
+        known = made.behind
+
+
+def start(read: Reading) -> Known:
+    """What is known in front of the first statement."""
+    return Known(Context(read.habits), None, Patience().seconds)
+
+
+def step(asked: Asked, read: Reading, judge: Judge, known: Known, until: float = inf) -> Step:
+    """A statement judged where so much is known."""
+    judge = replace(judge, patience=Patience(known.seconds))
+    row, context = _step(asked, read, judge, known.context, known.scope, until)
+    speaks = row is not None and isinstance(asked.statement, Statement)
+    scope = asked.passage.scope if speaks else known.scope
+    return Step(asked, row, Known(context, scope, judge.patience.seconds))
+
+
+def around(asked: Asked, context: Context) -> Context:
+    """What is left of what is known where something is asked that says more than a name."""
+    passage = asked.passage
+    if not isinstance(asked.statement, Statement):
+        return context
+    if Cue.GENERAL in passage.cues:
+        context = context.generally()
+    is_constant = Cue.CONSTANT in passage.cues and Cue.DIVISOR not in passage.cues
+    if asked.statement.relations or is_constant:
+        context = context.within(passage.scope, passage.sentence)
+    return context
 
 
 def _step(
@@ -246,8 +274,7 @@ def _step(
 
     if isinstance(each, Unread):
         return row(Outcome(UNREAD, each.reason)), context
-    if Cue.GENERAL in passage.cues:
-        context = context.generally()
+    context = around(asked, context)
     if not each.relations:
         if Cue.DIVISOR in passage.cues:
             return None, replace(context, not_zero=(*context.not_zero, *each.sides))
@@ -259,7 +286,6 @@ def _step(
             context = _on_circle(each.sides[0], passage, asked.number, context)
             return None, _tending(each.sides[0], passage, context)
         each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
-    context = context.within(passage.scope, passage.sentence)
     if Cue.CONSTRAINT in passage.cues:
         return row(Outcome(PREMISE, "a constraint")), context
     if Cue.REST in passage.cues:

@@ -3,10 +3,12 @@
 import asyncio
 import json
 import sys
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from pathlib import Path
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from lsprotocol import types as lsp
 from pygls.lsp.client import LanguageClient
 
@@ -178,12 +180,14 @@ def outcomes(audit):
     ("before", "after", "again"),
     [
         ("Then $q", "Now then $q", []),
-        (r"\dot p &= m g", r"\dot p &= -m g", [3, 4]),  # it stands in one display with p
-        ("A bob", "The bob", [0, 1, 2, 3, 4]),
+        (r"\dot p &= m g", r"\dot p &= -m g", [4]),
+        ("A bob", "The bob", [0]),
+        ("A bob", "There is a top. A bob", []),
+        ("A bob", "Let $a = 3$.\n\n# A bob\n\nA bob", [0, 1, 2, 3, 4, 5]),  # it stands for 3 below
         ("Then $q", r"Then $\dot x = 1$ and $q", [0, 1, 2, 3, 4, 5]),  # x has a rate from now on
     ],
 )
-def test_what_stands_above_a_change_is_not_judged_again(before, after, again, judged):
+def test_what_is_as_before_is_not_judged_again(before, after, again, judged):
     draft, collection = Draft(Path("bob.md")), built_in()
     draft.audit(BOB, collection)
     judged.clear()
@@ -191,6 +195,73 @@ def test_what_stands_above_a_change_is_not_judged_again(before, after, again, ju
     audit = draft.audit(changed, collection)
     assert judged == again
     assert outcomes(audit) == outcomes(Draft(Path("bob.md")).audit(changed, collection))
+
+
+PARTS = (
+    "# A bob\n",
+    "## A sleeve\n",
+    "1. It is heavy.\n2. It is let go at rest, with $\\theta = \\theta_0$.\n",
+    "A bob of mass $m$ hangs on a rod of length $l$.",
+    "A sleeve of mass $m$ is on a spring of stiffness $k$, and goes by $x$.",
+    "$$L = \\tfrac12 m l^2\\dot\\theta^2 + m g l\\cos\\theta$$",
+    "$$L = \\tfrac12 m\\dot x^2 - \\tfrac12 k x^2$$",
+    "and so $l\\ddot\\theta = -g\\sin\\theta$",
+    "and so $l\\ddot\\theta = g\\sin\\theta$.",
+    "So\n\\begin{align}p &= m l^2\\dot\\theta, \\\\\n\\dot p &= m g l\\sin\\theta.\n\\end{align}",
+    "It has $m\\ddot x = -k x$ and $E = \\tfrac12 m\\dot x^2 + \\tfrac12 k x^2$, conserved.",
+    "At the start $x = a$ and $\\dot x = 0$, so that $E = \\tfrac12 k a^2$.",
+    "At the lowest point $\\theta = 0$, and there $\\dot\\theta = \\omega$.",
+    "If $k = 3 m$, then $\\ddot x = -3 x$.",
+    "In general $\\ddot x = -\\omega^2 x$ with $\\omega^2 = k / m$.",
+    "For small $\\theta$ it is $\\ddot\\theta = -\\tfrac{g}{l}\\theta$.",
+    "Then $q = = 2$.",
+    "Nothing is said here. It is prose",
+)
+"""Pieces of texts: headings, words, what is right and what is wrong."""
+
+SIGNS = (".", " ", "\n\n", "not ", "At first ", " $x = 2$ ", "$", "-", "2", "where ", "\n# New\n\n")
+"""What may be typed anywhere."""
+
+CHANGES = st.one_of(
+    st.tuples(st.just("put"), st.floats(0, 1), st.sampled_from([*SIGNS, *PARTS])),
+    st.tuples(st.just("cut"), st.floats(0, 1), st.integers(1, 80)),
+)
+
+
+def changed(text, how, where, what):
+    """A text with something put in or cut out; a part is put between two lines."""
+    place = int(where * len(text))
+    if how == "cut":
+        return text[:place] + text[place + what :]
+    if what in PARTS:
+        place = text.find("\n\n", place) % (len(text) + 1)
+        what = f"\n\n{what}\n\n"
+    return text[:place] + what + text[place:]
+
+
+def everything(draft, audit):
+    """All that is told of a text, and all that is known of each of its statements."""
+    remarks = [(x.start, x.end, x.repair, x.finding.record) for x in audit.remarks]
+    return remarks, [step.row for step in draft.history.steps], audit.notes and outcomes(audit)
+
+
+@settings(max_examples=12, deadline=None)
+@given(
+    st.lists(st.sampled_from(PARTS), min_size=3, max_size=9),
+    st.lists(CHANGES, min_size=1, max_size=6),
+    st.integers(0, 9),
+)
+def test_a_changed_text_has_the_outcomes_of_one_read_for_the_first_time(parts, changes, end):
+    draft, text = Draft(Path("text.md")), "\n\n".join(parts)
+    draft.audit(text, built_in())
+    for change in changes:
+        text = changed(text, *change)
+        left = iter(range(end))
+        with suppress(OldTextError):  # now and then somebody types on in the meantime
+            draft.audit(text + end * " ", built_in(), lambda left=left: next(left, None) is None)
+        fresh = Draft(Path("text.md"))
+        expected = everything(fresh, fresh.audit(text, built_in()))
+        assert everything(draft, draft.audit(text, built_in())) == expected
 
 
 def test_an_old_text_is_given_up_and_taken_up_again(judged):
