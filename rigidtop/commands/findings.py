@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
-from functools import cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Any
 
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, UNREAD
@@ -215,6 +215,7 @@ def of_rows(
         )
 
 
+@lru_cache(maxsize=5_000)
 def _in_words(statement: Statement | Unread) -> str | None:
     from rigidtop.tree.plain import plain
     from rigidtop.tree.statement import Unread

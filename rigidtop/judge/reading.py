@@ -61,8 +61,8 @@ def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -
     ]
     read = _continued(_written_for(read))
     read = [*zip((x for x, _ in read), in_rates(x for _, x in read), strict=True)]
-    table = str.maketrans(_shapes(each for _, each in read))
-    return [(passage, _folded(each, table)) for passage, each in read] if table else read
+    shapes = frozenset(_shapes(each for _, each in read).items())
+    return [(passage, _folded(each, shapes)) for passage, each in read] if shapes else read
 
 
 _WRITES = re.compile(r"\b(?:write|writing|put|use|abbreviate|schreiben?|écri\w+|note)\b", re.I)
@@ -265,10 +265,12 @@ def _shapes(read: Iterable[Statement | Unread]) -> dict[str, str]:
     return {one: other for one, other in _SHAPES.items() if not {one, other} <= bases}
 
 
-def _folded(each: Statement | Unread, table: dict[int, str]) -> Statement | Unread:
+@lru_cache(maxsize=5_000)
+def _folded(each: Statement | Unread, shapes: frozenset[tuple[str, str]]) -> Statement | Unread:
     """A statement with other shapes of its letters, in its indices too."""
     if isinstance(each, Unread):
         return each
+    table = str.maketrans(dict(shapes))
 
     def change(node: Node) -> Node:
         if not isinstance(node, Letter):
@@ -278,5 +280,5 @@ def _folded(each: Statement | Unread, table: dict[int, str]) -> Statement | Unre
     return replace(
         each,
         sides=tuple(n.mapped(side, change) for side in each.sides),
-        conditions=tuple(_folded(x, table) for x in each.conditions),  # type: ignore[misc]
+        conditions=tuple(_folded(x, shapes) for x in each.conditions),  # type: ignore[misc]
     )

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from rigidtop.read.cues import (
     begins_at_rest,
@@ -64,16 +65,16 @@ def passages(source: str, plain: bool = False) -> tuple[Passage, ...]:
     ]
     cued = _approximated(_together([*_cued([_completed(passage) for passage in made])]))
     return tuple(
-        replace(passage, cues=passage.cues | {*_said(prose.since(number))})
+        replace(passage, cues=passage.cues | _said(prose.since(number)))
         for number, passage in enumerate(cued)
     )
 
 
-def _said(words: str) -> Iterator[Cue]:
+@lru_cache(maxsize=5_000)
+def _said(words: str) -> frozenset[Cue]:
     """What words say of all that follows."""
-    if begins_at_rest(words):
-        yield Cue.REST
-    yield from kept(words)
+    rest = {Cue.REST} if begins_at_rest(words) else set()
+    return frozenset(rest | {*kept(words)})
 
 
 def _completed(passage: Passage) -> Passage:

@@ -38,10 +38,12 @@ _SHORT = "z|z.B|z. B|d|d.h|d. h|e.g|i.e|p. ex|p|cf|vs|Eq|Eqs|Fig|Figs|Sec|Gl|Abb
 """Behind these a full stop is none."""
 _STOPS = "".join(rf"(?<!\b{re.escape(short)})" for short in _SHORT.split("|")) + "[.!?]"
 _END = re.compile(
+    r"(?=[\f.!?,;\s])(?:"
     rf"\f|{_STOPS}[\"')\]]*(?:\s*\n[ \t]*\n\s*|\s+(?=[^\Wa-zà-ÿ_\d]|[\"'(\x01-\x03])|\s*\Z)"
     r"|(?<=[\x01])[,;]?\s+(?=[A-ZÄÖÜÉÀ][^\W\d_]|A )|(?<=\x01)[ \t]*\n[ \t]*\n\s*(?=[\x02\x03])"
-    r"|(?<![,:;\x01-\x03\s])[ \t]*\n[ \t]*\n\s*(?=[A-ZÄÖÜÉÀ])"
+    r"|(?<![,:;\x01-\x03\s])[ \t]*\n[ \t]*\n\s*(?=[A-ZÄÖÜÉÀ]))"
 )
+"""Where a sentence ends; that it may begin with few characters is said first, for speed."""
 _FORMULA = re.compile(f"[{DISPLAY}{STATEMENT}{LETTER}]")
 _STATED = re.compile(f"[{DISPLAY}{STATEMENT}]")
 _STOP = re.compile(
