@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import zip_longest
@@ -28,8 +28,16 @@ Refusal = Callable[[Asked, Reading], str]
 """Why something that a text asks is not to be judged, "" if it is."""
 
 
+FEW = 8
+"""So many statements are judged in about the time in which a text is read again."""
+
+
 class OldTextError(Exception):
     """What is being judged has been changed in the meantime."""
+
+
+class EnoughError(Exception):
+    """What has not been judged is to be told as it was."""
 
 
 @dataclass
@@ -40,6 +48,7 @@ class History:
     judged to its end, if this one has not.
     """
 
+    source: tuple[str, Macros] | None = None
     read: Reading | None = None
     steps: list[Step] = field(default_factory=list)
     whole: tuple[Reading, list[Step]] | None = None
@@ -49,26 +58,49 @@ class History:
 
         `refusal` is asked before each one, and may raise an error that ends it all.
         """
-        read = reading(text, macros, until)
+        read = self._reading(text, macros, until)
         older = [*self._begin(read)]
         judge = Judge()
-        for asked in read.asked:
+
+        def made(asked: Asked) -> Step:
             known = self.steps[-1].behind if self.steps else start(read)
-            made = next((x for each in older if (x := each.carried(self.steps))), None)
-            if made is None:
-                why = refusal(asked, read)
-                made = (
-                    _refused(asked, why, known) if why else step(asked, read, judge, known, until)
-                )
-            self.steps.append(made)
+            as_before = next((x for each in older if (x := each.carried(self.steps))), None)
+            if as_before is not None:
+                return as_before
+            why = refusal(asked, read)
+            return _refused(asked, why, known) if why else step(asked, read, judge, known, until)
+
+        try:
+            for asked in read.asked:
+                self.steps.append(made(asked))
+        except EnoughError:
+            return rows_of([*self.steps, *self._as_they_were(older)])
         self.whole = None
         return rows_of(self.steps)
+
+    def _reading(self, text: str, macros: Macros, until: float) -> Reading:
+        """What a text asks: that of the last one, if it has only not been judged to its end."""
+        if self.read is not None and self.source == (text, macros) and not self.is_whole:
+            return self.read
+        read = reading(text, macros, until)
+        self.source = text, macros
+        return read
+
+    def _as_they_were(self, older: Sequence[Older]) -> Iterator[Step]:
+        """The steps that are still to be made, where there were some."""
+        for place in range(len(self.steps), len(self.read.asked) if self.read else 0):
+            yield from (x for each in older[-1:] if (x := each.as_it_was(place)) is not None)
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether the text has been judged to its end."""
+        return self.read is not None and len(self.steps) == len(self.read.asked)
 
     def _begin(self, read: Reading) -> Iterator[Older]:
         """Nothing of a text is judged yet; what was judged before of others."""
         if self.read is not None:
             yield Older(self.read, self.steps, read)
-            if len(self.steps) == len(self.read.asked):
+            if self.is_whole:
                 self.whole = self.read, self.steps
         if self.whole is not None and self.whole[1] is not self.steps:
             yield Older(*self.whole, read)
@@ -139,11 +171,15 @@ class Remark:
 
 @dataclass(frozen=True)
 class Audit:
-    """A text with what is remarked on it, and with its notes where it has formulas."""
+    """A text with what is remarked on it, and with its notes where it has formulas.
+
+    Where it `is_whole` all of it has been judged, and nothing is told as it was.
+    """
 
     text: str
     remarks: tuple[Remark, ...] = ()
     notes: Notes | None = None
+    is_whole: bool = True
 
     @cached_property
     def lines(self) -> Lines:
@@ -163,13 +199,23 @@ class Draft:
     history: History = field(default_factory=History)
 
     def audit(
-        self, text: str, collection: Collection, is_old: Callable[[], bool] = lambda: False
+        self,
+        text: str,
+        collection: Collection,
+        is_old: Callable[[], bool] = lambda: False,
+        is_enough: Callable[[], bool] = lambda: False,
     ) -> Audit:
-        """The newest text audited; raises OldTextError once it is not the newest any more."""
+        """The newest text audited; raises OldTextError once it is not the newest any more.
+
+        Once it `is_enough` the rest is told as it was, unless it is little.
+        """
 
         def refusal(asked: Asked, read: Reading) -> str:
             if is_old():
                 raise OldTextError
+            left = len(read.asked) - len(self.history.steps)
+            if left > FEW and is_enough():
+                raise EnoughError
             return ""
 
         return self.audit_but(text, collection, refusal)
@@ -184,8 +230,8 @@ class Draft:
         try:
             notes = audited(files, collection, judge)
         except NoFormulasError:
-            return Audit(text)
-        return Audit(text, tuple(_remarks(notes)), notes)
+            return Audit(text, is_whole=self.history.is_whole)
+        return Audit(text, tuple(_remarks(notes)), notes, self.history.is_whole)
 
 
 def _remarks(notes: Notes) -> Iterator[Remark]:

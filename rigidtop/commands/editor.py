@@ -5,10 +5,12 @@ from __future__ import annotations
 import asyncio
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
+from itertools import count
 from pathlib import Path
 from typing import BinaryIO
 
@@ -28,6 +30,9 @@ from rigidtop.terminal.files import LONGEST
 from rigidtop.terminal.visible import visible
 
 SOURCE = "rigidtop"
+
+SOON = 0.1
+"""So long a change is judged before an editor is told what is near to it (s)."""
 
 
 @dataclass
@@ -110,19 +115,37 @@ class Editor:
 
         if is_old():
             return
+        looks = [_soon()] if document.audit is not None else []
+        for is_enough in (*looks, lambda: False):
+            try:
+                told, is_whole = self._told(document, text, is_old, is_enough)
+            except OldTextError:
+                return
+            if is_old():
+                return
+            # Without a version it holds until there is more to tell.
+            self._publish(document, told, version if is_whole else None)
+            if is_whole:
+                return
+
+    def _told(
+        self,
+        document: Document,
+        text: str,
+        is_old: Callable[[], bool],
+        is_enough: Callable[[], bool],
+    ) -> tuple[list[lsp.Diagnostic], bool]:
+        """What is wrong in a text, and whether that is all; raises OldTextError."""
         try:
-            document.audit = document.draft.audit(text, self.collection, is_old)
-        except OldTextError:
-            return
+            audit = document.draft.audit(text, self.collection, is_old, is_enough)
         except RigidtopError as error:
             whole = lsp.Range(lsp.Position(0, 0), lsp.Position(0, 0))
             kind = lsp.DiagnosticSeverity.Information
-            told = [lsp.Diagnostic(whole, visible(str(error)), severity=kind, source=SOURCE)]
             document.audit = None
-        else:
-            told = [*self._wrong(document, document.audit)]
-        if not is_old():
-            self._publish(document, told, version)
+            return [lsp.Diagnostic(whole, visible(str(error)), severity=kind, source=SOURCE)], True
+        if audit.is_whole:
+            document.audit = audit
+        return [*self._wrong(document, audit)], audit.is_whole
 
     def _publish(
         self, document: Document, told: list[lsp.Diagnostic], version: int | None = None
@@ -197,6 +220,12 @@ class Editor:
             return document, None, ()
         at = params.position
         return document, audit, audit.at(audit.lines.position(at.line, at.character))
+
+
+def _soon() -> Callable[[], bool]:
+    """What says that something has been judged, and that it has taken long enough."""
+    begun, asked = time.monotonic(), count()
+    return lambda: next(asked) > 0 and time.monotonic() > begun + SOON
 
 
 def _words(finding: Finding) -> str:

@@ -180,6 +180,14 @@ class Older:
         except GoneError:
             return None
 
+    def as_it_was(self, place: int) -> Step | None:
+        """What became of what is asked in a place, though it may not be so any more."""
+        try:
+            old, asked = self.steps[self._places[place]], self.newer.asked[place]
+            return replace(old, asked=asked, row=_row(old.row, asked, self._numbering))
+        except (KeyError, GoneError):
+            return None
+
     @cached_property
     def _places(self) -> Mapping[int, int]:
         """Where what is asked now was asked then."""

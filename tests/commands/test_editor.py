@@ -12,10 +12,12 @@ from hypothesis import strategies as st
 from lsprotocol import types as lsp
 from pygls.lsp.client import LanguageClient
 
+import rigidtop.commands.editor
 import rigidtop.judge.text
 from rigidtop.cli import main
 from rigidtop.collection import built_in
 from rigidtop.commands.draft import Draft, Lines, OldTextError, well_formed
+from rigidtop.commands.editor import Document, Editor
 
 BOB = r"""A bob 𝜔 has the Lagrangian
 
@@ -278,6 +280,38 @@ def test_a_dollar_too_much_is_told_where_no_formula_stands():
     audit = Draft(Path("text.md")).audit("m$ hangs on a rod.", built_in())
     [remark] = audit.remarks
     assert (remark.start, remark.end, remark.finding.verdict) == (0, 18, "unread")
+
+
+LONG = "\n\n".join(f"# Bob {k}\n\n{BOB}" for k in range(3))
+
+
+def test_what_is_far_below_a_change_is_told_as_it_was_at_first(judged):
+    draft, collection = Draft(Path("bob.md")), built_in()
+    before = draft.audit(LONG, collection)
+    edited = LONG.replace("g\\sin\\theta$ and", "-g\\sin\\theta$ and", 1).replace("Bob 0", "A bob")
+    judged.clear()
+    first = draft.audit(edited, collection, is_enough=lambda: len(judged) == 1)
+    assert judged == [1]
+    assert not first.is_whole
+    whole = draft.audit(edited, collection)
+    assert whole.is_whole
+    assert outcomes(whole) == outcomes(Draft(Path("bob.md")).audit(edited, collection))
+    assert len(first.remarks) == len(whole.remarks)
+    assert outcomes(first)[:2] == outcomes(whole)[:2] != outcomes(before)[:2]
+    verdicts = [[x["verdict"] for x in outcomes(each)[2:]] for each in (first, before)]
+    assert verdicts[0] == verdicts[1]
+
+
+def test_what_is_near_to_a_change_is_told_before_the_rest(tmp_path, monkeypatch):
+    monkeypatch.setattr(rigidtop.commands.editor, "SOON", 0.0)
+    editor, told = Editor(built_in()), []
+    monkeypatch.setattr(editor, "_publish", lambda _, found, version: told.append((found, version)))
+    document = Document("file:///bob.md", Draft(tmp_path / "bob.md"), "", None)
+    editor.documents[document.uri] = document
+    for version, text in enumerate((LONG, LONG.replace("= g\\sin", "= -g\\sin", 1))):
+        document.text = text
+        editor._judge(document, text, version)
+    assert [(len(found), version) for found, version in told] == [(6, 0), (5, None), (5, 1)]
 
 
 def test_columns_are_counted_as_the_protocol_says():
