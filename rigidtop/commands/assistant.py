@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
-from mcp.server.mcpserver import MCPServer
+from mcp.server.mcpserver import Context, MCPServer
 from mcp.server.mcpserver.exceptions import ToolError
-from pydantic import BaseModel, Field
+from mcp.types import CallToolResult, InputRequiredResult
+from pydantic import BaseModel, Field, ValidationError
 
 from rigidtop import HeavyTop, __version__
 from rigidtop.commands import certify, derive
@@ -62,12 +63,39 @@ class Top(BaseModel):
         )
 
 
+class _Server(MCPServer):
+    """A server that says in a line what is amiss with what it is handed."""
+
+    async def call_tool(
+        self, name: str, arguments: Record, context: Context | None = None
+    ) -> CallToolResult | InputRequiredResult:
+        try:
+            return await super().call_tool(name, arguments, context)
+        except ToolError as error:
+            if isinstance(error.__cause__, ValidationError):
+                raise ToolError(f"{name}: {_amiss(error.__cause__)}") from None
+            raise
+
+
+def _amiss(error: ValidationError) -> str:
+    """Which arguments are missing, and what is wrong with others."""
+    told = [(".".join(map(str, each["loc"])), each) for each in error.errors()]
+    missing = [f"`{name}`" for name, each in told if each["type"] == "missing"]
+    wrong = [
+        f"`{name}` {each['msg'].removeprefix('Input ')}"
+        for name, each in told
+        if each["type"] != "missing"
+    ]
+    verb = "is" if len(missing) == 1 else "are"
+    return "; ".join([f"{' and '.join(missing)} {verb} missing"] * bool(missing) + wrong)
+
+
 class Assistant:
     """A server of tools, whose work is done one after another."""
 
     def __init__(self) -> None:
         self.worker = Worker()
-        self.server = MCPServer(
+        self.server = _Server(
             "rigidtop",
             version=__version__,
             instructions="Check a derivation in mechanics line by line before it is believed.",

@@ -50,6 +50,8 @@ def said(tmp_path_factory):
         ("mark", {"text": "$x = 1$"}),
         ("mark", {"text": "$x = 1$", "start": "3.53", "goal": "9.99"}),
         ("simulate", {"top": {**TOP, "theta": 9}}),
+        ("audit", {}),
+        ("simulate", {"top": {"mass": "heavy"}, "samples": 1}),
     )
     return asyncio.run(asked(*calls))
 
@@ -77,11 +79,16 @@ def test_an_assistant_is_told_what_the_commands_tell(said, tmp_path, capsys):
 def test_what_makes_no_sense_is_told_in_one_line(said):
     for words, expected in zip(
         said[6:-1],
-        ("no formulas", "no equation or claim '/etc'", "say `goal`", "'9.99'", "theta must lie"),
+        (
+            *("no formulas", "no equation or claim '/etc'", "say `goal`", "'9.99'"),
+            *("theta must lie", "audit: `text` is missing"),
+            "simulate: `top.theta` and `top.omega3` are missing; `top.mass` should be a valid",
+        ),
         strict=True,
     ):
         assert expected in words
         assert "\n" not in words
+    assert said[-2].endswith("; `samples` should be greater than or equal to 2")
 
 
 def test_no_file_is_read(said):
