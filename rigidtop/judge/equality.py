@@ -311,7 +311,7 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
     """What is wrong with what brings nothing new; it is open where that is not seen."""
     context, at = question.context, question.at
     if holds is None:
-        return Outcome(UNDECIDED, "no world was found in which all above holds"), context
+        return Outcome(UNDECIDED, question.worlds.why_unknown(question.both)), context
     if at.closed:
         near = approximations.near_slip(question) if at.small or at.large else None
         wrong = near or faults.slip(question)

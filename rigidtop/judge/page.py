@@ -73,8 +73,6 @@ CLOSE = 1e-9
 SECONDS = 2.0
 """No line is judged for longer (s, of the processor's time)."""
 
-NO_WORLD = "no world was found in which all above holds"
-
 
 def outcome(lecture: Lecture, judged: Judged) -> Outcome:
     """What becomes of a line in worlds, unless that takes too long."""
@@ -256,7 +254,7 @@ class Question:
         if holds is None:
             if not worlds.count and is_contradictory(gaps):
                 return Outcome(FALSE, "what it rests on can't hold together")
-            return Outcome(UNDECIDED, NO_WORLD)
+            return Outcome(UNDECIDED, worlds.why_unknown(sides))
         if not _fails_everywhere(worlds, sides):
             return Outcome(UNDECIDED, "it holds in some worlds, and not in others")
         if not complete:
@@ -319,7 +317,7 @@ class Question:
         above = [self._is_positive(x) for x in worlds.letters]
         real = np.abs(worlds.points.imag).max(axis=0, initial=0) < 1e-9
         right = real & (worlds.points.real[above] >= -1e-12).all(axis=0)
-        return w.Worlds(worlds.letters, worlds.points[:, right])
+        return replace(worlds, points=worlds.points[:, right])
 
 
 @lru_cache(maxsize=20_000)
@@ -351,7 +349,7 @@ def _words(value: Expr) -> str:
 
 def witness(worlds: w.Worlds, sides: Sides) -> str:
     """The numbers of a world in which both sides differ, and what they are there."""
-    one = w.Worlds(worlds.letters, worlds.points[:, :1])
+    one = replace(worlds, points=worlds.points[:, :1])
     left, right = next(pair for pair in sides if one.holds([pair]) is False)
     values = one.program.values([left, right]).values[:, 0]
     asked = symbols(left) | symbols(right)
@@ -380,7 +378,7 @@ def _is_written(letter: Letter) -> bool:
 
 def _fails_everywhere(worlds: w.Worlds, sides: Sides) -> bool:
     """Whether in no world both sides agree."""
-    single = [w.Worlds(worlds.letters, worlds.points[:, [k]]) for k in range(worlds.count)]
+    single = [replace(worlds, points=worlds.points[:, [k]]) for k in range(worlds.count)]
     return all(each.holds(sides) is False for each in single)
 
 

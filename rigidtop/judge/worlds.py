@@ -8,28 +8,15 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from itertools import combinations
-from math import ceil, log10
+from itertools import combinations, compress
 from operator import attrgetter
 
 import numpy as np
 import sympy
 from numpy.typing import NDArray
-from sympy import (
-    Expr,
-    Float,
-    I,
-    Integer,
-    Mul,
-    Pow,
-    Rational,
-    Symbol,
-    factor_terms,
-    fraction,
-    log,
-    together,
-)
+from sympy import Expr, I, Mul, Symbol, factor_terms, fraction, together
 
+from rigidtop.judge.digits import Place, has_extremes, needed, places, refined
 from rigidtop.judge.jets import Jet, jet_of, symbols
 from rigidtop.judge.letters import VELOCITIES
 from rigidtop.judge.program import Array, Program, Steps, UnknownFunctionError
@@ -53,19 +40,15 @@ CLOSE, _FLOOR = 1e-7, 1e-4
 """Sides that are equal in exact worlds differ by no more than this share of their terms, which are
 of the size of 1 where they are not zero."""
 
-_FAR, _LONG = 6.5, 17
-"""So many powers of ten away from 1 a number may hide what else is written, or be hidden by it;
-with more digits it is no rounded number."""
-
 _INEXACT, _TINY = 1e-11, 1e-290
 """The numbers of worlds are off by this much, and nothing smaller is told from zero."""
 
-_DIGITS, _MOST_DIGITS = 60, 1000
-"""With so many digits sides are compared of which rounding hides the difference; with more, but
-not with more than so many, where smaller or larger numbers are written."""
-
 _LARGEST = 1e12
 """Of sides with larger terms nothing is seen."""
+
+
+NO_WORLD = "no world was found in which all above holds"
+TOO_FEW_DIGITS = "a number in it is too small or too large to be seen beside the rest"
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,12 +96,13 @@ class Gaps:
 class Worlds:
     """Letters with their numbers, a column a world; none where no world was found.
 
-    They are `free` where no equation holds in them, and `tied` where they all have a difference of
-    parameters that vanishes: what holds is hardly what is meant then.
+    They are those of `equations`, `free` where no equation holds in them, and `tied` where they all
+    have a difference of parameters that vanishes: what holds is hardly what is meant then.
     """
 
     letters: tuple[Symbol, ...]
     points: Array
+    equations: tuple[Expr, ...] = ()
     free: bool = False
     tied: bool = False
 
@@ -140,19 +124,28 @@ class Worlds:
         if gaps is None or not gaps.known.any():
             return None
         if gaps.are_hidden:
-            exactly = self._holds_exactly(sides)
+            # Where equations hold and no number is large, they are divided by zero.
+            told = self.free or self._may_hide(sides)
+            exactly = self._holds_exactly(sides, gaps.known) if told else None
             return exactly if trivially else bool(exactly)
         if not trivially and gaps.says_little:
             return False
         holds = bool(gaps.closed[:, gaps.known].all())
-        if holds and self.free and any(map(_has_extremes, (x for pair in sides for x in pair))):
-            return self._holds_exactly(sides)
-        return holds
+        return self._holds_exactly(sides, gaps.known) if holds and self._may_hide(sides) else holds
+
+    def why_unknown(self, sides: Sequence[tuple[Expr, Expr]]) -> str:
+        """Why it is not known whether both sides agree."""
+        return TOO_FEW_DIGITS if self.count and self._may_hide(sides) else NO_WORLD
 
     def holds_one(self, sides: Sequence[tuple[Expr, Expr]]) -> bool:
         """Whether in every world one of several pairs of sides agrees."""
         gaps = self._gaps(sides)
-        return gaps is not None and bool(gaps.closed.any(axis=0).all())
+        if gaps is None or not gaps.closed.any(axis=0).all():
+            return False
+        return not self._may_hide(sides) or all(
+            place is not None and any(place.agree(*pair) for pair in sides)
+            for place in self._places(sides)
+        )
 
     def vanish(self, expressions: Sequence[Expr]) -> bool:
         """Whether all of them are zero in every world."""
@@ -183,25 +176,30 @@ class Worlds:
         total = np.abs(slopes).sum(axis=1)
         return np.where(np.isfinite(total), _INEXACT * total, np.inf) + _TINY
 
-    def _holds_exactly(self, sides: Sequence[tuple[Expr, Expr]]) -> bool | None:
-        """The same with many digits, where no equation has left its errors in the numbers."""
-        if not self.free or any(x.has(Float) for pair in sides for x in pair):
-            return None
-        digits = _DIGITS + sum(map(_digits, (x for pair in sides for x in pair)))
-        for point in self.points.T:
-            put = {x: Rational(float(v.real)) for x, v in zip(self.letters, point, strict=True)}
-            for left, right in sides:
-                gap, size = (x.xreplace(put) for x in (left - right, left))
-                if gap.is_Rational:
-                    if gap != 0:
-                        return False
-                    continue
-                if digits > _MOST_DIGITS:
-                    return None
-                gap, size = (x.evalf(digits, maxn=2 * digits) for x in (gap, size))
-                if not gap.is_number or abs(gap) > Rational(10) ** (12 - digits) * abs(size):
+    def _places(self, sides: Sequence[tuple[Expr, Expr]]) -> tuple[Place | None, ...]:
+        """The worlds with as many digits as tell these sides apart; None where one has too few."""
+        return _with_digits(self, needed([*self.equations, *(x for pair in sides for x in pair)]))
+
+    def _holds_exactly(
+        self, sides: Sequence[tuple[Expr, Expr]], known: NDArray[np.bool_]
+    ) -> bool | None:
+        """The same with many digits; None where a world has not so many of them."""
+        unknown = False
+        for place in compress(self._places(sides), known):
+            for pair in sides:
+                agree = place.agree(*pair) if place is not None else None
+                if agree is False:
                     return False
-        return True
+                unknown |= agree is None
+        return None if unknown else True
+
+    def _may_hide(self, sides: Sequence[tuple[Expr, Expr]]) -> bool:
+        """Whether a number is so small or large that these sides may differ without being seen."""
+        return self._hide or any(has_extremes(x) for pair in sides for x in pair)
+
+    @cached_property
+    def _hide(self) -> bool:
+        return any(map(has_extremes, self.equations))
 
     def signs(self, expressions: Sequence[Expr]) -> NDArray[np.float64] | None:
         """The sign of each expression in each world; None where they are no numbers."""
@@ -282,14 +280,24 @@ def _found(
         if (real & (zero <= forced).all(axis=0)).sum() >= enough:
             break
     if not every.size:
-        return Worlds(tuple(letters), every)
+        return Worlds(letters, every, equations)
     # A place where something happens to vanish says less than one where nothing does, or only
     # the rate of it.
     vanishing = np.array([4 - min(_order(x), 3) for x in letters] + [4] * len(sums)) @ zero
     chosen = vanishing == vanishing.min()
     chosen = chosen & real if (chosen & real).sum() >= 2 else chosen
     tied = bool(zero[len(letters) : len(letters) + len(ties), chosen].all(axis=1).any())
-    return Worlds(tuple(letters), every[:, chosen][:, :WORLDS], tied=tied)
+    return Worlds(letters, every[:, chosen][:, :WORLDS], equations, tied=tied)
+
+
+@lru_cache(maxsize=50)
+def _with_digits(worlds: Worlds, digits: int) -> tuple[Place | None, ...]:
+    """The places of worlds with many digits; none where nothing says what holds in them."""
+    if worlds.free:
+        return tuple(places(worlds.letters, worlds.points, digits, exact=True))
+    if not worlds.equations:
+        return (None,) * worlds.count
+    return tuple(refined(worlds.equations, worlds.letters, worlds.points, digits))
 
 
 _SEEDS = 3
@@ -480,30 +488,6 @@ def rank(equations: Sequence[Expr], worlds: Worlds, by: Sequence[Symbol]) -> int
         return 0
     scale = np.abs(slopes).max(axis=1, keepdims=True)
     return int(np.linalg.matrix_rank(slopes / np.where(scale > 0, scale, 1), tol=1e-8))
-
-
-@lru_cache(maxsize=5_000)
-def _has_extremes(expression: Expr) -> bool:
-    """Whether a number in it is so small, or so large, that it may hide what else is written.
-
-    So does one with more digits than anybody writes down, as 1 + 10⁻⁴⁵ has.
-    """
-    return _digits(expression) > 0
-
-
-def _digits(expression: Expr) -> int:
-    """How many digits its small, large and long numbers have, all together."""
-    exact = (x for x in expression.atoms(Rational, Pow) if not x.has(Float))  # nobody wrote others
-    numbers = (x for x in exact if x.is_number and x.is_real and x != 0)
-    parts = (sorted(map(_decades, fraction(x))) for x in numbers)
-    return sum(ceil(more) for less, more in parts if more - less > _FAR or less > _LONG)
-
-
-def _decades(number: Expr) -> float:
-    """The logarithm of its size, to the base 10."""
-    if isinstance(number, Integer):
-        return abs(int(number)).bit_length() * log10(2)
-    return abs(float(log(abs(number), 10).evalf(3)))
 
 
 def symbols_of(expressions: Sequence[Expr]) -> tuple[Symbol, ...]:

@@ -142,6 +142,78 @@ def test_no_number_is_too_small_to_be_something(line):
     assert not outcome.right  # nothing that is as small makes it hold
 
 
+CUBIC = "$$ s^3 + s = x $$ and $$ s = u^2 + xu $$ so\n"
+SWING = r"The equation of motion is $\ddot x = -\frac km x$. Try $x = A\cos\omega t$. Then" + "\n"
+ENERGY = (
+    r"$$ E = \frac12 mv^2 + \frac12 kx^2, \qquad v = \dot x, \qquad m\ddot x = -kx $$ so" + "\n"
+)
+DECAY = r"$$ \ddot x + 2\gamma\dot x + \nu^2x = 0 $$ Try $x = e^{\lambda t}$. Then" + "\n"
+BESIDE_EXTREMES = [
+    (ENERGY, r"\dot E = 10^{-14}", r"10^{14}\dot E = 0"),
+    (
+        DECAY,
+        r"\lambda^2 + 2\gamma\lambda(1 + 10^{-30}) + \nu^2 = 0",
+        r"10^9\lambda^2 + 2\cdot10^9\gamma\lambda + 10^9\nu^2 = 0",
+    ),
+    (
+        ORBIT,
+        r"\ddot r = \frac{eh^2}{pr^2}\cos\varphi - 10^{-15}r",
+        r"10^{10}\ddot r = 10^{10}\frac{eh^2}{pr^2}\cos\varphi",
+    ),
+    (CUBIC, r"s^3 + s = x\cos 10^{-4}", r"\sin(10^9s^3 + 10^9s) = \sin(10^9x)"),
+    (CUBIC, r"s^3 + s = x + \pi^{-10}e^{-10}", r"\frac{10^{20}}{s^3 + s} = \frac{10^{20}}x"),
+    (CUBIC, "s^3 + s = x + 10^{-45}", "s^3 + s + 10^{-45} = x + 10^{-45}"),
+    (CUBIC, "s^3 + s = x + 10^{-9}", "(s + 10^{-9})^2 = (u^2 + xu)^2 + 2\\cdot10^{-9}s + 10^{-18}"),
+    (CUBIC, "s^3 + 2s = x + u^2 + xu(1 + 10^{-9})", "10^9s^3 + 10^9s = 10^9x"),
+    (CUBIC, "s^3 + s = x + e^{-50}", "e^{-50}(s^3 + 2s) = e^{-50}(x + u^2 + xu)"),
+    (CUBIC, "s^3 + s = x + 10^{-2000}", "10^{-30}s = 10^{-30}u^2 + 10^{-30}xu"),
+    (SWING, r"\omega^2 = \frac km + 10^{-9}", r"\omega^2 + 10^{-9} = \frac km + 10^{-9}"),
+    (SWING, r"\omega^2 = \frac km(1 + 10^{-9})", r"10^9m\omega^2 = 10^9k"),
+    ("$$ y = x $$ so\n", "y = (1 + 10^{-9})x", "10^9y + y = 10^9x + x"),
+    (
+        "$$ x^2 = a^2 + b $$ so\n",
+        r"x = \pm\sqrt{a^2 + b + 10^{-9}}",
+        r"x = \pm10^{-9}\sqrt{10^{18}a^2 + 10^{18}b}",
+    ),
+    (
+        r"$$ \epsilon = 10^{-9}, \qquad s^3 + s = x, \qquad s = u^2 + xu $$ so" + "\n",
+        r"s^3 + s = x + \epsilon",
+        r"s^3 + s + \epsilon = x + 10^{-9}",
+    ),
+    (
+        "$$ s^3 + s = x + 10^{-9} $$ and $$ s = u^2 + xu $$ so\n",
+        "s^3 + s = x",
+        "s^3 + 2s = x + u^2 + xu + 10^{-9}",
+    ),
+]
+"""What stands above, a line that is wrong by nothing that is seen, and one that is right."""
+
+
+@pytest.mark.parametrize(("above", "wrong", "right"), BESIDE_EXTREMES)
+def test_no_number_is_too_small_where_equations_hold(above, wrong, right):
+    assert judged(f"{above}$$ {wrong} $$\n")[-1].outcome.passed is not True
+    assert judged(f"{above}$$ {right} $$\n")[-1].outcome.passed
+
+
+def test_what_takes_too_many_digits_is_said_to_be_unseen():
+    outcome = judged(f"{CUBIC}$$ s^3 + s = x + 10^{{-2000}} $$\n")[-1].outcome
+    assert outcome.why == "a number in it is too small or too large to be seen beside the rest"
+
+
+@pytest.mark.parametrize("above", [r"y = \pi x", r"y = \pi x, \qquad x = u^3 + yu"])
+@pytest.mark.parametrize(
+    "line",
+    [
+        "y = 3.14159265358979x",
+        r"10^{-12}y = 3.14159265358979\cdot10^{-12}x",
+        r"\frac y3 = 1.0471975511966x",
+        "y = 3.141592653x",
+    ],
+)
+def test_a_rounded_number_stays_one_where_small_ones_stand(above, line):
+    assert judged(f"$$ {above} $$ so\n$$ {line} $$\n")[-1].outcome.passed
+
+
 @pytest.mark.parametrize("line", ["y = 3.14159265358979x", r"y \approx 3.1415927x"])
 def test_a_number_is_as_good_as_it_is_written(line):
     assert judged(f"$$ y = \\pi x $$ so\n$$ {line} $$\n")[-1].outcome.passed

@@ -256,3 +256,35 @@ def test_of_sides_that_would_round_everything_away_nothing_is_seen():
     assert worlds.holds([(huge, Z)]) is None
     assert worlds.holds([(huge, Z)], trivially=False) is False
     assert worlds.holds([(X, Y)], trivially=False)
+
+
+TINY = sympy.Rational(1, 10**45)
+
+
+@pytest.mark.parametrize("equations", EQUATIONS.values(), ids=EQUATIONS)
+def test_equations_hold_with_many_digits_where_that_is_asked(equations):
+    worlds = found(equations, symbols_of(equations))
+    assert worlds.holds([(each + TINY, TINY) for each in equations]) is True
+    assert worlds.holds([(each + TINY, 0 * each) for each in equations]) is False
+
+
+def test_where_equations_are_not_known_nothing_is_seen_of_small_numbers():
+    worlds = found(EQUATIONS["a pendulum"], symbols_of(EQUATIONS["a pendulum"]))
+    bare = Worlds(worlds.letters, worlds.points)
+    assert bare.holds([(G + TINY, G + TINY)]) is None
+    assert bare.holds([(G + TINY, 2 * G)]) is False
+
+
+def test_a_place_that_does_not_come_nearer_is_not_known():
+    equations = [(P[0] - M) ** 2, M**2 - G - TINY * K]
+    worlds = found(equations, symbols_of(equations))
+    assert worlds.count
+    assert worlds.holds([(M**2, G + TINY * K)]) is None
+
+
+@pytest.mark.parametrize("factor", [1, 10**9, TINY])
+def test_where_something_divides_that_vanishes_nothing_is_seen(factor):
+    worlds = found([Q[0] - sympy.pi / 2], [Q[0], M])
+    half = (1 - sqrt(1 - cos(Q[0]))) / cos(Q[0])
+    assert not worlds.holds([(factor * half, factor * M)])
+    assert not worlds.holds([(factor * half / cos(Q[0]), factor * M / cos(Q[0]))])
