@@ -17,7 +17,7 @@ import mpmath
 import numpy as np
 import sympy
 from numpy.typing import NDArray
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol, exp, fraction, log
+from sympy import Add, Expr, Float, Integer, Mul, Pow, Rational, Symbol, exp, fraction, log
 
 from rigidtop.judge.program import Array, Steps, UnknownFunctionError
 
@@ -67,10 +67,11 @@ def _extent(expression: Expr) -> int:
 
 def _numbers(expression: Expr) -> Iterator[Expr]:
     """All numbers in it, and those by which something is multiplied as one: π¹⁰e¹⁰."""
-    atoms = expression.atoms(Rational, Pow, exp)
+    # Floating-point numbers come out of an integral: nobody has written them.
+    atoms = (x for x in expression.atoms(Rational, Pow, exp) if not x.has(Float))
     yield from (x for x in atoms if x.is_number and x.is_real and x != 0)
     for product in expression.atoms(Mul):
-        factors = [x for x in product.args if x.is_number and x.is_real]
+        factors = [x for x in product.args if x.is_number and x.is_real and not x.has(Float)]
         if len(factors) > 1:
             yield Mul(*factors)
 
