@@ -212,8 +212,14 @@ class _Answer:
     ) -> tuple[Statement, list[tuple[Outcome, Context]]]:
         """A line as it is written, or as it may be meant where it fails so; with its outcomes."""
         quick = Judge(self.judge.memory, patience=Patience(0))
-        each = _aligned(each, self.contexts) if at.supposed else each
-        judgements = _judged(quick, each, at, self.contexts, limits)
+        written, contexts = each, self.contexts
+        if at.supposed:
+            each, contexts = _aligned(each, contexts)
+        judgements = _judged(quick, each, at, contexts, limits)
+        if each is not written and len(written.sides) > 2:  # and what it is besides
+            known = tuple(context for _, context in judgements)
+            judgements = _judged(quick, written, at, known, limits)
+            each = written
         for other, verdict in self._otherwise(each):
             if any(outcome.verdict != verdict for outcome, _ in judgements):
                 continue
@@ -408,16 +414,38 @@ def _with_habits(context: Context, own: Habits) -> Context:
     )
 
 
-def _aligned(each: Statement, contexts: Sequence[Context]) -> Statement:
-    """L_z = L as **L** = L **ẑ**: a component as long as its vector has that along its axis."""
-    given = frozenset().union(*(context.given for context in contexts))
+_VERTICAL = Letter("z", mark="hat", bold=True)
+
+
+def _aligned(
+    each: Statement, contexts: tuple[Context, ...]
+) -> tuple[Statement, tuple[Context, ...]]:
+    """What L_z = L, or **L** = L **ẑ**, supposes: that **L** lies along **ẑ**, and L is L_z.
+
+    Of a length that is equal to a component no world knows in which direction it may change.
+    """
     match each.sides:
-        case (Letter(base, "z", "", False), Letter(other, "", "", False) as length) if (
-            base == other and replace(length, bold=True) in given
+        case (Letter(base, "z", "", False), Letter() as length):
+            vector = Letter(base, bold=True)
+        case (Letter(bold=True) as vector, n.Product((Letter() as length, axis)), *_) if (
+            axis == _VERTICAL
         ):
-            axis = Letter("z", mark="hat", bold=True)
-            return replace(each, sides=(replace(length, bold=True), n.Product((length, axis))))
-    return each
+            pass
+        case _:
+            return each, contexts
+    if replace(vector, bold=False) != length:
+        return each, contexts
+    component = Definition(n.Dot(vector, _VERTICAL), GIVEN)
+    known = tuple(
+        replace(x.defining(length, component), not_zero=(*x.not_zero, length))
+        if {vector, _VERTICAL} <= x.definitions.keys()
+        else x
+        for x in contexts
+    )
+    if known == contexts:
+        return each, contexts
+    along = replace(each, sides=(n.Cross(vector, _VERTICAL), n.Number("0")), relations=("=",))
+    return along, known
 
 
 def _of_vectors(each: Statement, contexts: Sequence[Context]) -> Statement | None:

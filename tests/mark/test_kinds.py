@@ -202,6 +202,50 @@ RIGHT = {
         r"$\lambda_1\ddot\theta=\lambda_1\dot\phi^2\sin\theta\cos\theta-\lambda_3"
         r"(\dot\psi+\dot\phi\cos\theta)\dot\phi\sin\theta+MgR\sin\theta$.",
     ),
+    "an example in numbers": (
+        "3.57 two-roots",
+        r"$$\Omega_\pm=\frac{\lambda_3\omega_3\pm\sqrt{\lambda_3^2\omega_3^2-4\lambda_1MgR"
+        r"\cos\theta}}{2\lambda_1\cos\theta}$$ For large $\omega_3$: "
+        r"$\Omega_-\approx\frac{MgR}{\lambda_3\omega_3}$, "
+        r"$\Omega_+\approx\frac{\lambda_3\omega_3}{\lambda_1\cos\theta}$. "
+        r"Example: $\lambda_1=2$, $\lambda_3=1$, $MgR=3$, $\omega_3=20$, $\theta=60^\circ$. "
+        r"Then $\Omega=10\pm\sqrt{97}$.",
+    ),
+    "a component along a primed axis": (
+        "3.53 3.54",
+        r"It turns with $\mathbf w=-\dot\phi\sin\theta\,\mathbf e_1'+\dot\theta\,\mathbf e_2'"
+        r"+\dot\phi\cos\theta\,\mathbf e_3$. $$(\mathbf w\times\mathbf L)_{2'}=w_3L_{1'}-w_{1'}L_3"
+        r"=-\lambda_1\dot\phi^2\sin\theta\cos\theta+\lambda_3\omega_3\dot\phi\sin\theta$$"
+        r"$$\lambda_1\ddot\theta-\lambda_1\dot\phi^2\sin\theta\cos\theta+\lambda_3\omega_3\dot\phi"
+        r"\sin\theta=MgR\sin\theta$$ with $\omega_3=\dot\psi+\dot\phi\cos\theta$.",
+    ),
+    "the bracket with a Hamiltonian": (
+        "3.53 3.56",
+        r"$$H=\frac{p_\theta^2}{2\lambda_1}+\frac{(p_\phi-p_\psi\cos\theta)^2}{2\lambda_1\sin^2"
+        r"\theta}+\frac{p_\psi^2}{2\lambda_3}+MgR\cos\theta$$ $$\dot p_\psi=\{p_\psi,H\}=0$$ and "
+        r"$p_\psi=\lambda_3(\dot\psi+\dot\phi\cos\theta)=\text{const}$.",
+    ),
+    "a test without a tilt, and a prime that is none of the index": (
+        "3.42 3.44",
+        r"$\omega_1'=-\dot\phi\sin\theta$. $$T=\tfrac12\lambda_1(\dot\phi^2\sin^2\theta"
+        r"+\dot\theta^2)+\tfrac12\lambda_3(\dot\psi+\dot\phi\cos\theta)^2$$ Test: $\theta=0$ and "
+        r"$\dot\theta=0$ gives $T=\tfrac12\lambda_3(\dot\psi+\dot\phi)^2$.",
+    ),
+    "vectors in plain text": (
+        "3.42 3.44",
+        "T = ½ ω·L with L = (λ₁ω₁', λ₁ω₂', λ₃ω₃)\n\n$T = ½λ₁(φ̇² sin²θ + θ̇²) + ½λ₃(ψ̇ + φ̇ cosθ)²$",
+    ),
+    "a start in components of the body": (
+        "3.36 principal-stays",
+        r"Start with $\boldsymbol\omega(0)=(w,0,0)$. I claim $\boldsymbol\omega(t)=(w,0,0)$. "
+        r"Check: $\lambda_1\dot\omega_1=(\lambda_2-\lambda_3)\cdot0\cdot0=0$. "
+        r"So $\dot{\boldsymbol\omega}=0$.",
+    ),
+    "the axis along the angular momentum": (
+        "3.33 space-cone",
+        r"I may put the $z$ axis along it: $L_z=L$. Then $\lambda_3\omega_3=L\cos\theta$, "
+        r"$-\lambda_1\dot\phi\sin\theta=-L\sin\theta$ and $\Omega_s=\dot\phi=\frac L{\lambda_1}$.",
+    ),
 }
 
 
@@ -359,6 +403,9 @@ def test_what_holds_at_the_moment_that_was_named_is_not_called_wrong_and_shows_n
             "+\\mathbf L\\times\\mathbf w=\\mathbf N$$",
             2,
         ),
+        ("3.41 3.42", "$\\hat z=\\cos\\theta\\,e_3+\\sin\\theta\\,e_1'$", 1),
+        ("3.33 space-cone", "Put $z$ along it: $L_z=L$.\n$\\lambda_3\\omega_3=L\\sin\\theta$", 2),
+        ("3.42 3.44", "T = ½ ω·L + 1\n\nso", 1),
         ("3.50 3.52", "$$d\\phi=\\frac{2MgR\\,dt}{\\lambda_3\\omega_3}$$", 1),
         ("3.41 3.42", "$$\\omega_{1'}=\\dot\\phi\\sin\\theta,\\quad\\omega_{2'}=\\dot\\theta$$", 1),
     ],
