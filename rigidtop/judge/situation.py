@@ -15,7 +15,8 @@ class Situation:
     `instant`: it is said of one moment; `case`: it is one of several; `inline`: it stands in a line
     of words; `opens`: nothing stands above it in its scope; `declared` are letters that words
     introduce.
-    `closed`: all that is needed has been said, so that what does not hold is false.
+    `closed`: all that is needed has been said, so that what does not hold is false; `tried`: it is
+    a number of an example, and of what is said beside it alone.
     """
 
     number: int
@@ -26,6 +27,7 @@ class Situation:
     case: bool = False
     inline: bool = False
     closed: bool = False
+    tried: bool = False
     opens: bool = False
     declared: frozenset[Letter] = frozenset()
 

@@ -145,6 +145,8 @@ class _Answer:
         self, each: Statement, at: Situation, limits: _Limits
     ) -> tuple[_Answer, Outcome, int]:
         """What is known behind the next line, what becomes of it, and in which context."""
+        if at.tried:
+            return self._after_example(each, at, limits)
         each, judgements = self._tried(each, at, limits)
         quick = Judge(self.judge.memory, patience=Patience(0))
 
@@ -227,6 +229,18 @@ class _Answer:
             if verdict == UNDECIDED or any(outcome.passed for outcome, _ in again):
                 each, judgements = other, again
         return each, judgements
+
+    def _after_example(
+        self, each: Statement, at: Situation, limits: _Limits
+    ) -> tuple[_Answer, Outcome, int]:
+        """The same of a number that is tried: nothing that is said elsewhere rests on it."""
+        aside = self.aside if at.sentence == self.aside_sentence else None
+        known = aside or self.contexts[-1]
+        quick, at = Judge(self.judge.memory, patience=Patience(0)), at.hearing(Cue.CASE)
+        judgements = _judged(quick, each, at, (known, _without_facts(known)), limits)
+        fits = (x for x in judgements if x[0].passed or x[0].verdict in (PREMISE, DEFINITION))
+        outcome, aside = next(fits, judgements[0])
+        return replace(self, aside=aside, aside_sentence=at.sentence), outcome, 0
 
     def _beside(
         self, each: Statement, at: Situation, outcome: Outcome, limits: _Limits

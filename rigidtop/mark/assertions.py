@@ -62,8 +62,8 @@ def asserted(
         at = situation(passage, number, moments[number], False, declared)
         tried = passage if _TRIED.match(passage.before) else tried
         if tried is not None and _goes_on(source, tried, passage):
-            at = replace(at, sentence=tried.sentence)
-            at = at.hearing(Cue.CASE) if _is_value(passage, each) else at
+            same = passage.sentence == tried.sentence and not at.derived
+            at = replace(at, sentence=tried.sentence, tried=same and _is_value(passage, each))
         if _is_supposed(passage, each):
             at = at.hearing(Cue.CASE)
         if large[number]:

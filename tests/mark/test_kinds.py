@@ -422,6 +422,13 @@ def test_one_component_that_vanishes_at_the_start_does_not_stay_so():
     assert [x.mark.value for x in marking.lines] == ["assumption", "inconclusive"]
 
 
+def test_nothing_rests_on_the_numbers_of_an_example():
+    source = r"Example: $\dot\phi=0$ and $\lambda_1=2$. All is well." + "\n\n"
+    wrong = source + r"$$\lambda_1\ddot\theta=MgR\sin\theta$$"
+    assert mark(wrong, task("3.53", "3.54")).first_wrong.line == 3
+    assert mark(source + r"$\lambda_1=2$", task("3.53", "3.54")).first_wrong.line == 3
+
+
 def test_what_a_case_gives_does_not_reach_a_goal():
     source = r"When $\dot\theta=0$, $\ddot\theta=1$ there. For $\theta=0$: $\lambda_1=0$."
     assert not mark(source, task("3.53", "3.54")).passed
