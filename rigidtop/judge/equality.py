@@ -93,6 +93,10 @@ def _judged(question: Question) -> Judgement:
             kind = SETTING if _is_special(question) else SUPPOSED
             return outcome, context.holding(question.constraint(kind))
         return outcome, context.defining(path.letter, path.definition)
+    deep = replace(question, deep=True)
+    further = len(deep.equations) > len(question.equations)
+    if further and deep.worlds.count and deep.worlds.holds(deep.both):
+        return deep.follows()
     still = staying(question)
     if still is not None:
         other = question.within(still)

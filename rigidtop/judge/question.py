@@ -117,7 +117,7 @@ class Question:
 
     `signs` are those of ±: with two the sides are the two roots of something. With `asked` other
     sides are compared, in place of what is written; `path` is the motion that they try. Of a letter
-    that is `chosen` another expression is taken.
+    that is `chosen` another expression is taken.  Where it is `deep`, rates are taken of all.
     """
 
     left: Node
@@ -131,6 +131,7 @@ class Question:
     used: frozenset[int] = field(default_factory=frozenset)
     path: Path | None = None
     chosen: Mapping[Letter, Node] = field(default_factory=dict)
+    deep: bool = False
 
     @property
     def context(self) -> Context:
@@ -239,7 +240,7 @@ class Question:
     def grounds(self) -> Grounds:
         """What has to do with it."""
         flat = [x for pair in self.meant for x in pair]
-        equations, rests_on, near = surrounding(flat, self.context, self.pool)
+        equations, rests_on, near = surrounding(flat, self.context, self.pool, self.deep)
         together = plain([*equations, *flat])
         count = len(equations)
         return Grounds(paired(together[count:]), together[:count], rests_on, near)

@@ -73,17 +73,28 @@ def related(asked: Iterable[Expr], pool: Sequence[Residual]) -> list[Residual]:
 
 
 def surrounding(
-    asked: Iterable[Expr], context: Context, pool: Sequence[Residual]
+    asked: Iterable[Expr], context: Context, pool: Sequence[Residual], deep: bool = False
 ) -> tuple[list[Expr], frozenset[int], list[Residual]]:
-    """The equations, with their rates, that have to do with what is asked; what they rest on."""
+    """The equations, with their rates, that have to do with what is asked; what they rest on.
+
+    Where it is `deep`, rates are taken of all that moves, as if each letter's were asked: of two
+    equations together a letter may go out of which no rate is asked.
+    """
     wanted = list(asked)
     chosen = related(wanted, pool)
     equations: list[Expr] = []
     orders = _orders([*wanted, *(each.expression for each in chosen)])
+    if deep:
+        most = max(orders.values(), default=0)
+        orders = {x: most if _moves(x, context) else order for x, order in orders.items()}
     for each in chosen:
         equations += _prolonged(each, orders, context)
     rests_on = frozenset().union(*(each.rests_on for each in chosen))
     return plain(equations), rests_on, chosen
+
+
+def _moves(base: object, context: Context) -> bool:
+    return isinstance(base, tuple) and base[0] in context.habits.moving
 
 
 def _prolonged(residual: Residual, orders: dict[object, int], context: Context) -> list[Expr]:

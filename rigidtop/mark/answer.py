@@ -284,6 +284,7 @@ class _Answer:
             yield in_body, FALSE
         if (vectors := _of_vectors(each, self.contexts)) is not None:
             yield vectors, FALSE
+            yield vectors, UNDECIDED
 
     def _lost(self, each: Statement) -> list[str]:
         """What a line that follows leaves out that the facts allow, unless that is excluded."""

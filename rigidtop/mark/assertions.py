@@ -51,10 +51,13 @@ def asserted(
         passage, each = read[number]
         position = passage.start + each.position
         if isinstance(each, Unread):
-            yield position, each, passage.text
+            if not _END.fullmatch(passage.text):
+                yield position, each, passage.text
             continue
-        if not each.relations or any(isinstance(x, n.Omitted) for x in each.sides):
-            continue
+        if not each.relations or any(
+            isinstance(x, n.Omitted) for s in each.sides for x in n.walked(s)
+        ):
+            continue  # what is left out is not said
         if is_time(each):
             continue  # a moment: what is said of it has its own place there
         if _is_transformation(each) or _is_notation(each):
@@ -71,6 +74,10 @@ def asserted(
         statement, time = at_one_time(names.in_facts(each), moving)
         at = replace(at, instant=at.instant if time is None else instant_at(time))
         yield position, statement, replace(at, closed=True)
+
+
+_END = re.compile(r"[\s.]*\\(?:square|blacksquare|Box|qed|checkmark)[\s.]*")
+"""A sign behind what is shown, and no formula."""
 
 
 def _moving(context: Context) -> frozenset[Letter]:
@@ -97,7 +104,8 @@ _SUPPOSE = re.compile(
 
 
 _TRIED = re.compile(
-    r"\W*(?:(?:a )?(?:numerical |quick |sanity |simple )?(?:test|check|example|special case|limit)"
+    r"\W*(?:(?:(?:as |for )?an? )?(?:numerical |quick |sanity |simple )?"
+    r"(?:test|check|example|special case|limit)"
     r"|for (?:example|instance)|e\. ?g\.|numbers|zum beispiel|z\. ?B\.|beispiel|probe|kontrolle)\b",
     re.I,
 )
@@ -195,6 +203,7 @@ def _explained_first(read: Read, facts: Collection[Letter]) -> list[int]:
             # What comes of one equation for one letter may be its solution; U(θ) is a name.
             assert isinstance(each, Statement)
             alone = isinstance(each.sides[0], Letter) and len(_letters(use) - {*facts}) < 2
+            alone &= not (isinstance(use, Statement) and isinstance(use.sides[0], n.Rate))
             together = passage.start == before.start and not alone
             is_here = _HERE.search(passage.before[-9:]) is not None
             if together or is_here or Cue.DEFINED in passage.cues or said == passage.sentence:

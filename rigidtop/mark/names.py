@@ -49,7 +49,19 @@ class Names:
 
     def in_facts(self, each: Statement) -> Statement:
         """A statement in the letters of the facts."""
-        return replace(each, sides=tuple(n.mapped(side, self._meant) for side in each.sides))
+        meant = tuple(n.mapped(side, self._meant) for side in each.sides)
+        if any(_is_column(side) for side in meant[1:]):
+            meant = (self._vector(meant[0]), *meant[1:])
+        return replace(each, sides=meant)
+
+    def _vector(self, side: Node) -> Node:
+        """The vector of the facts of which the letter, or what it is at a time, is the name."""
+        match side:
+            case n.Call(function, places):
+                return n.Call(self._vector(function), places)
+            case Letter() if (bold := replace(side, bold=True)) in self.facts:
+                return bold
+        return side
 
     def _meant(self, node: Node) -> Node:
         match node:
@@ -81,6 +93,10 @@ class Names:
         bare = replace(letter, sub="")
         # θ_t is θ̇.
         return n.Rate(bare, 1, True) if letter.sub == "t" and bare in self.facts else letter
+
+
+def _is_column(side: Node) -> bool:
+    return isinstance(side, n.Tuple) and len(side.entries) == 3
 
 
 def _primed(letter: Letter) -> Letter:

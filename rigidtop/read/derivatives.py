@@ -58,7 +58,9 @@ def _operand(grammar: Grammar) -> Node:
         raise grammar.missing("what a derivative acts on")
     alone = grammar.peek().kind == "open" or grammar.peek().text in FRACTIONS
     factors = [grammar.factor([])]
-    alone = alone and bool(letters(factors[0]))  # nobody differentiates a number
+    bare = factors[0]
+    share = isinstance(bare, Quotient) and not letters(bare.under)  # m/2, in front of the rest
+    alone = alone and bool(letters(bare)) and not share  # nobody differentiates a number
     while not alone and grammar.starts():
         factors.append(grammar.factor(factors))
     return ungrouped(product_of(factors))

@@ -465,7 +465,7 @@ INLINE: dict[Cue, tuple[str, ...]] = {
         r"|at\b)[\w'-]+){1,5}"
         r"(?:, [^,;:.(§]{1,24})?",
         rf"{START}for the(?! {QUANTITY})(?: (?!the\b|at\b)[\w'-]+){{1,5}}",
-        rf"{START}(?:for|für|pour)",
+        rf"{START}(?:for|für|pour|special case(?: of)?)",
         r"(?:^|[.;¶] ?)(?:special cases?|Sonderf[aä]lle?|cas particuliers?)\b[^.;§]{0,60}[,:]",
         r"(?:^|[.¶] ?)(?:when|if|wenn|falls|si|lorsque|quand) [^,;:.§]{1,60},",
         rf"{START}(?:without|ohne|sans) [^,;:.§]{{1,30}},?",

@@ -246,6 +246,30 @@ RIGHT = {
         r"I may put the $z$ axis along it: $L_z=L$. Then $\lambda_3\omega_3=L\cos\theta$, "
         r"$-\lambda_1\dot\phi\sin\theta=-L\sin\theta$ and $\Omega_s=\dot\phi=\frac L{\lambda_1}$.",
     ),
+    "polar coordinates of the answer's own": (
+        "3.37 3.38",
+        r"$\omega_1=\rho\cos\chi$, $\omega_2=\rho\sin\chi$: $$\rho^2\dot\chi=\omega_1\dot\omega_2-"
+        r"\omega_2\dot\omega_1=-\Omega_b\rho^2,\quad\rho\dot\rho=\omega_1\dot\omega_1+\omega_2"
+        r"\dot\omega_2=0$$ So $\rho=\omega_0$, $\chi=-\Omega_bt$ and "
+        r"$$\omega_1=\omega_0\cos(\Omega_bt),\quad\omega_2=-\omega_0\sin(\Omega_bt),\quad\omega_3=\text{const}$$",
+    ),
+    "an operator in front of a fraction, and a sign at the end": (
+        "3.53 3.56",
+        r"$$\frac{\partial}{\partial\dot\psi}\,\frac{\lambda_3}{2}\left(\dot\psi+\dot\phi\cos\theta"
+        r"\right)^2=\lambda_3(\dot\psi+\dot\phi\cos\theta)=\text{const}$$ $\square$ "
+        r"$p_\psi=\lambda_3(\dot\psi+\dot\phi\cos\theta)=\text{const}$",
+    ),
+    "terms that are left out": (
+        "3.53 3.55",
+        r"$$\mathcal L=\frac12(\lambda_1\sin^2\theta+\lambda_3\cos^2\theta)\dot\phi^2+\dots$$ so "
+        r"$p_\phi=\lambda_1\dot\phi\sin^2\theta+\lambda_3(\dot\psi+\dot\phi\cos\theta)\cos\theta"
+        r"=\text{const}$",
+    ),
+    "a product of vectors that are not bold": (
+        "3.43 3.45",
+        r"$s\equiv\sin\theta$, $c\equiv\cos\theta$. $L_z=L\cdot\hat z=-s\,L_{1'}+c\,L_3$ gives "
+        r"$$\dot\phi=\frac{L_z-L_3\,c}{\lambda_1\,s^2}$$",
+    ),
 }
 
 
@@ -420,6 +444,15 @@ def test_one_component_that_vanishes_at_the_start_does_not_stay_so():
     source = "At $t=0$ let $\\omega_1=0$.\n\nSo $\\omega_1(t)=0$ always."
     marking = mark(source, task("3.36", "principal-stays"))
     assert [x.mark.value for x in marking.lines] == ["assumption", "inconclusive"]
+
+
+def test_a_name_behind_a_rate_is_known_in_front_of_it():
+    source = r"$\omega_1,\omega_2\ll\omega_3$: "
+    source += r"$$\dot\omega_2=\beta\,\omega_1,\quad"
+    source += r"\beta=\frac{\lambda_3-\lambda_1}{\lambda_2}\omega_3$$"
+    assert mark(source, task("3.36", "axis-stability")).first_wrong is None
+    wrong = source.replace(r"\lambda_3-\lambda_1", r"\lambda_1-\lambda_3")
+    assert mark(wrong, task("3.36", "axis-stability")).first_wrong.line == 1
 
 
 def test_nothing_rests_on_the_numbers_of_an_example():
