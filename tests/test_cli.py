@@ -38,6 +38,15 @@ def test_check_json_is_the_contract(capsys: pytest.CaptureFixture[str]) -> None:
     assert 0 < record["seconds"] < 60
 
 
+def test_conditions_of_lines_stay_beside_evidence_in_python(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["check", "two-roots", "--json"]) == 0
+    [record] = json.loads(capsys.readouterr().out)
+    assert record["assumptions"]
+    assert record["lines_hold_if"] == ["sin θ ≠ 0", "D ≥ 0", "1 − 4ε ≥ 0"]
+
+
 def test_a_failed_check_exits_with_1(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -94,7 +94,10 @@ def test_moodle_compares_the_numbers(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
-        (["toppling-top", "--format", "otter"], "otter goes with --sheet DIR, and without"),
+        (
+            ["toppling-top", "--format", "otter"],
+            "--format otter goes with --sheet DIR, and without",
+        ),
         (["--format", "moodle", "--sheet", "{out}", "--json"], "--format moodle goes with --sheet"),
         (
             ["toppling-top", "--format", "otter", "--sheet", "{out}", "--points", "0"],
