@@ -1,11 +1,15 @@
-"""Statements of any component: L̇ₖ = −(ω × L)ₖ says three things."""
+"""Statements of any component, L̇ₖ = −(ω × L)ₖ says three things, and columns along some axes."""
 
 from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import replace
 
+from sympy import MatrixBase
+
+from rigidtop.judge.context import Context
 from rigidtop.judge.sides import letters_in
+from rigidtop.judge.vocabulary import Meant
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.statement import Statement
@@ -42,3 +46,32 @@ def _with(statement: Statement, index: str, component: str) -> Statement:
         return node
 
     return replace(statement, sides=tuple(n.mapped(side, change) for side in statement.sides))
+
+
+def along(basis: MatrixBase, after: Context, before: Context) -> Context:
+    """What is known, where columns in what is new are components along the axes of a basis."""
+    axes = [Meant(basis[:, k]) for k in range(3)]
+
+    def resolved(node: Node) -> Node:
+        match node:
+            case n.Tuple((_, _, _) as entries):
+                pass
+            case n.Matrix(((first,), (second,), (third,)), bracket) if bracket != "|":
+                entries = (first, second, third)
+            case _:
+                return node
+        parts = zip(entries, axes, strict=True)
+        return n.Group(n.Sum(tuple(n.Product((n.Group(x), axis)) for x, axis in parts)))
+
+    old = {id(c) for c in before.constraints}
+    constraints = tuple(
+        c
+        if id(c) in old
+        else replace(c, left=n.mapped(c.left, resolved), right=n.mapped(c.right, resolved))
+        for c in after.constraints
+    )
+    definitions = {
+        x: d if before.definitions.get(x) is d else replace(d, node=n.mapped(d.node, resolved))
+        for x, d in after.definitions.items()
+    }
+    return replace(after, basis=None, constraints=constraints, definitions=definitions)

@@ -182,6 +182,8 @@ def _vacuous(question: Question) -> Judgement | None:
 
 def _is_case(constraint: Constraint, moving: frozenset[Letter]) -> bool:
     """Whether a constraint gives what moves a number, at which it stays, or says what vanishes."""
+    if constraint.kind == SETTING and constraint.number >= 0:
+        return True  # as a vector that is set along another one, and has to vanish for that
     number = isinstance(constraint.right, n.Number)
     return number and (constraint.left in moving or constraint.right == ZERO)
 

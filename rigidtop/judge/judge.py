@@ -6,10 +6,8 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
-from sympy import MatrixBase
-
 from rigidtop.judge import approximations, bounds, equality, places, roots
-from rigidtop.judge.components import each_component
+from rigidtop.judge.components import along, each_component
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import SETTING, START, Bound, Constraint, Context, Definition, Limit
 from rigidtop.judge.jets import jets
@@ -44,7 +42,7 @@ from rigidtop.judge.sides import (
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.suppositions import suppositions
 from rigidtop.judge.values import UnclearError
-from rigidtop.judge.vocabulary import Meant, Memory
+from rigidtop.judge.vocabulary import Memory
 from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -219,7 +217,7 @@ class Judge:
         judgements = []
         for basis in context.bases:
             outcome, after = self._in_context(statement, situation, replace(context, basis=basis))
-            judgements.append((outcome, _along(basis, after, context)))
+            judgements.append((outcome, along(basis, after, context)))
             if outcome.passed:
                 return judgements[-1]
         order = (FALSE, DEFINITION)
@@ -441,35 +439,6 @@ def _accelerated(question: Question, outcome: Outcome, context: Context) -> Cont
         return replace(context, accelerations=())
     equation = Constraint(*sides, question.at.number, SUPPOSED, question.at.scope)
     return replace(context, accelerations=(*context.accelerations, equation))
-
-
-def _along(basis: MatrixBase, after: Context, before: Context) -> Context:
-    """What is known, where columns in what is new are components along the axes of a basis."""
-    axes = [Meant(basis[:, k]) for k in range(3)]
-
-    def along(node: Node) -> Node:
-        match node:
-            case n.Tuple((_, _, _) as entries):
-                pass
-            case n.Matrix(((first,), (second,), (third,)), bracket) if bracket != "|":
-                entries = (first, second, third)
-            case _:
-                return node
-        parts = zip(entries, axes, strict=True)
-        return n.Group(n.Sum(tuple(n.Product((n.Group(x), axis)) for x, axis in parts)))
-
-    old = {id(c) for c in before.constraints}
-    constraints = tuple(
-        c
-        if id(c) in old
-        else replace(c, left=n.mapped(c.left, along), right=n.mapped(c.right, along))
-        for c in after.constraints
-    )
-    definitions = {
-        x: d if before.definitions.get(x) is d else replace(d, node=n.mapped(d.node, along))
-        for x, d in after.definitions.items()
-    }
-    return replace(after, basis=None, constraints=constraints, definitions=definitions)
 
 
 def _related(question: Question, relation: str) -> Judgement:

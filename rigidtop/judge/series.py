@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import sympy
-from sympy import Expr, Integer, Piecewise, Product, Sum, Symbol
+from sympy import Eq, Expr, Integer, Piecewise, Product, Sum, Symbol
 
 from rigidtop.judge.values import UnclearError
 from rigidtop.tree import nodes as n
@@ -39,8 +39,9 @@ def series(term: Expr, index: Symbol, lower: Expr, upper: Expr, sign: str) -> Ex
     k = sympy.Dummy("k", integer=True, nonnegative=True)
     which = sympy.summation if sign == "Σ" else sympy.product
     value = which(term.xreplace({index: k}), (k, lower, upper))
-    if isinstance(value, Piecewise):
-        value = value.args[0][0]  # the other is that it diverges
+    if isinstance(value, Piecewise):  # beside it stand single values, as x = 1, and divergence
+        usual = (branch for branch, where in value.args if not isinstance(where, Eq))
+        value = next(usual, value)
     if value.has(Sum, Product, Piecewise, sympy.oo, sympy.nan, sympy.zoo):
         raise UnclearError("a series whose value is not found")
     return value

@@ -19,7 +19,6 @@ from rigidtop.judge.context import LAW, SETTING, START, Constraint, Context, Def
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import LAGRANGIANS
-from rigidtop.judge.meaning import AT_REST, IN_BODY
 from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, UNREAD, Outcome
 from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import Read, read_text
@@ -27,6 +26,7 @@ from rigidtop.judge.sides import NEARLY, ZERO
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import in_time
 from rigidtop.judge.vocabulary import Meant
+from rigidtop.mark import variants
 from rigidtop.mark.arrival import equalities, head, holds_on, is_reached, is_said, is_trivial
 from rigidtop.mark.assertions import asserted
 from rigidtop.mark.facts import GIVEN, is_turned, with_angles
@@ -137,7 +137,7 @@ class _Answer:
     def begun(cls, source: str, read: Read, task: Task) -> _Answer:
         own = habits_of([each for _, each in read if isinstance(each, Statement)])
         contexts = tuple(_with_habits(context, own) for context in task.contexts)
-        in_body = bool(_BODY.search(source))
+        in_body = bool(variants.BODY.search(source))
         names = _with_habits(task.names, own)
         return cls(Judge(), contexts, names, task.branches, in_body=in_body)
 
@@ -216,7 +216,7 @@ class _Answer:
         quick = Judge(self.judge.memory, patience=Patience(0))
         written, contexts = each, self.contexts
         if at.supposed:
-            each, contexts = _aligned(each, contexts)
+            each, contexts = variants.aligned(each, contexts)
         judgements = _judged(quick, each, at, contexts, limits)
         if each is not written and len(written.sides) > 2:  # and what it is besides
             known = tuple(context for _, context in judgements)
@@ -274,15 +274,15 @@ class _Answer:
 
     def _otherwise(self, each: Statement) -> Iterator[tuple[Statement, str]]:
         """How a line may be meant too, with the verdict on it as it is written."""
-        with_vector = _with_vector(each, self.contexts)
+        with_vector = variants.with_vector(each, self.contexts)
         if with_vector is not None:
             yield with_vector, UNDECIDED
-        if (turning := _in_its_frame(each)) is not None:
+        if (turning := variants.in_its_frame(each)) is not None:
             yield turning, UNDECIDED
-        in_body = _in_body(each) if self.in_body else None
+        in_body = variants.in_body(each) if self.in_body else None
         if in_body is not None:
             yield in_body, FALSE
-        if (vectors := _of_vectors(each, self.contexts)) is not None:
+        if (vectors := variants.of_vectors(each, self.contexts)) is not None:
             yield vectors, FALSE
             yield vectors, UNDECIDED
 
@@ -298,51 +298,10 @@ class _Answer:
         ]
 
 
-_BODY = re.compile(
-    r"\b(?:body|rotating|co-?rotating|körper|mitrotieren|mitbewegt|mitgeführt|hauptachsensystem)",
-    re.I,
-)
-"""Words for the frame in which a dot on a vector differentiates its components."""
-
-
-def _in_body(each: Statement) -> Statement | None:
-    """The statement with dots on vectors for the rates of their components in the body."""
-
-    def seen(node: Node) -> Node:
-        match node:
-            case n.Rate(Letter(bold=True), frame=""):
-                return replace(node, frame="body")
-        return node
-
-    sides = tuple(n.mapped(side, seen) for side in each.sides)
-    return replace(each, sides=sides) if sides != each.sides else None
-
-
 def _without_facts(context: Context) -> Context:
     """A context with what the answer itself has set, and with no law."""
     own = tuple(c for c in context.constraints if c.number >= 0)
     return replace(context, constraints=own, lawless=True)
-
-
-def _in_its_frame(each: Statement) -> Statement | None:
-    """The statement where a frame with a name of the answer's own turns with what stands beside it.
-
-    Of (dA/dt)_frame + w × A that is w.
-    """
-    nodes = [node for side in each.sides for node in n.walked(side)]
-    crossed = [(x.left, x.right) for x in nodes if isinstance(x, n.Cross)]
-
-    def seen(node: Node) -> Node:
-        match node:
-            case n.Rate(of, 1, _, frame) if frame and not frame.startswith((*AT_REST, *IN_BODY)):
-                beside = {b if a == of else a for a, b in crossed if of in (a, b)}
-                if len(beside) == 1:
-                    moved = n.Negative(n.Cross(beside.pop(), of))
-                    return n.Group(n.Sum((n.Rate(of, dotted=True), moved)))
-        return node
-
-    sides = tuple(n.mapped(side, seen) for side in each.sides)
-    return replace(each, sides=sides) if sides != each.sides else None
 
 
 def _believing(context: Context, each: Statement) -> Context:
@@ -427,72 +386,6 @@ def _with_habits(context: Context, own: Habits) -> Context:
             lengths=habits.lengths | own.lengths - {*context.definitions} - context.given,
         ),
     )
-
-
-_VERTICAL = Letter("z", mark="hat", bold=True)
-
-
-def _aligned(
-    each: Statement, contexts: tuple[Context, ...]
-) -> tuple[Statement, tuple[Context, ...]]:
-    """What L_z = L, or **L** = L **ẑ**, supposes: that **L** lies along **ẑ**, and L is L_z.
-
-    Of a length that is equal to a component no world knows in which direction it may change.
-    """
-    match each.sides:
-        case (Letter(base, "z", "", False), Letter() as length):
-            vector = Letter(base, bold=True)
-        case (Letter(bold=True) as vector, n.Product((Letter() as length, axis)), *_) if (
-            axis == _VERTICAL
-        ):
-            pass
-        case _:
-            return each, contexts
-    if replace(vector, bold=False) != length:
-        return each, contexts
-    component = Definition(n.Dot(vector, _VERTICAL), GIVEN)
-    known = tuple(
-        replace(x.defining(length, component), not_zero=(*x.not_zero, length))
-        if {vector, _VERTICAL} <= x.definitions.keys()
-        else x
-        for x in contexts
-    )
-    if known == contexts:
-        return each, contexts
-    along = replace(each, sides=(n.Cross(vector, _VERTICAL), n.Number("0")), relations=("=",))
-    return along, known
-
-
-def _of_vectors(each: Statement, contexts: Sequence[Context]) -> Statement | None:
-    """The statement with vectors for letters with a point or a cross between, as plain ω·L."""
-    given = frozenset().union(*(context.given for context in contexts))
-
-    def vector(node: Node) -> Node:
-        bold = replace(node, bold=True) if isinstance(node, Letter) else node
-        return bold if bold in given else node
-
-    def seen(node: Node) -> Node:
-        match node:
-            case n.Dot(n.Product((*factors, Letter() as left)), Letter() as right):
-                return n.Product((*factors, n.Dot(vector(left), vector(right))))
-            case n.Dot(Letter() as left, Letter() as right):
-                return n.Dot(vector(left), vector(right))
-            case n.Cross(Letter() as left, Letter() as right):
-                return n.Cross(vector(left), vector(right))
-        return node
-
-    sides = tuple(n.mapped(side, seen) for side in each.sides)
-    return replace(each, sides=sides) if sides != each.sides else None
-
-
-def _with_vector(each: Statement, contexts: Sequence[Context]) -> Statement | None:
-    """The statement with a vector on its left side, where the facts know one of that name."""
-    left = each.sides[0]
-    if not isinstance(left, Letter) or left.bold:
-        return None
-    bold = replace(left, bold=True)
-    is_known = any(bold in context.given for context in contexts)
-    return replace(each, sides=(bold, *each.sides[1:])) if is_known else None
 
 
 # --- Marks ---------------------------------------------------------------------------------------

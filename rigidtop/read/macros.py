@@ -17,7 +17,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 
-from rigidtop.read.tex import Piece, UnreadError, flat, pieces
+from rigidtop.read.tex import Piece, UnreadError, closing, flat, pieces
 
 DEEPEST = 20
 """Macros are not put into macros deeper."""
@@ -92,12 +92,8 @@ _KEPT = frozenset(
 
 def _braced(text: str, at: int) -> str | None:
     """What stands in the braces that open at a place; None for none, or for too much."""
-    depth = 0
-    for match in re.compile(r"\\.|[{}]", re.S).finditer(text, at, at + LONGEST):
-        depth += {"{": 1, "}": -1}.get(match[0], 0)
-        if depth == 0:
-            return text[at + 1 : match.start()]
-    return None
+    end = closing(text, at, at + LONGEST) if text[at : at + 1] == "{" else None
+    return None if end is None else text[at + 1 : end]
 
 
 def expanded(items: Sequence[Piece], macros: Macros) -> tuple[Piece, ...]:

@@ -149,6 +149,19 @@ def _taken_apart(character: str) -> str | None:
 # --- Pieces in words -----------------------------------------------------------------------------
 
 
+_BRACE = re.compile(r"\\.|[{}]", re.S)
+
+
+def closing(text: str, at: int, stop: int) -> int | None:
+    """Where the brace is closed that opens at a place; None if it is not in front of `stop`."""
+    depth = 0
+    for match in _BRACE.finditer(text, at, stop):
+        depth += {"{": 1, "}": -1}.get(match[0], 0)
+        if depth == 0:
+            return match.start()
+    return None
+
+
 def listed(names: str) -> frozenset[str]:
     """Words of a text, each once."""
     return frozenset(names.split())

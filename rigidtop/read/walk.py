@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from rigidtop.errors import RigidtopError
+from rigidtop.read.tex import closing
 
 LONGEST = 2_000_000
 """A file is no longer than this (characters)."""
@@ -149,7 +150,6 @@ DOCUMENT = re.compile(r"^[ \t]*\\begin\s*\{\s*document\s*\}", re.M)
 """Where the text of a file in LaTeX begins."""
 _BLANK_LINE = re.compile(r"\n[ \t]*\n")
 _PARAGRAPH = re.compile(r"\n(?=[ \t]*\n)")
-_BRACE = re.compile(r"\\.|[{}]", re.S)
 _TOLD = re.compile(r"=|\\(?:tag|equiv|approx|neq?)(?![A-Za-z])")
 """What makes a skipped part worth telling, if mathematics stands in it at all."""
 _MATHEMATICAL = re.compile(r"\$|\\[\[(]|\\begin\s*\{|\\tag")
@@ -175,16 +175,6 @@ def places(source: str) -> Callable[[int], tuple[int, int]]:
         return line, position - starts[line - 1] + 1
 
     return place
-
-
-def _closed(source: str, start: int, stop: int) -> int:
-    """Behind the brace that closes one that opened in front of a position; −1 if none does."""
-    depth = 1
-    for match in _BRACE.finditer(source, start, stop):
-        depth += {"{": 1, "}": -1}.get(match[0], 0)
-        if depth == 0:
-            return match.end()
-    return -1
 
 
 class Walk:
@@ -269,14 +259,15 @@ class Walk:
 
     def struck(self, match: re.Match[str]) -> int:
         """What is struck out within a paragraph has been taken back."""
-        closing = match[0] if match[0] == "~~" else match[0].replace("<", "</")
-        stop = self.paragraph_end(match.end())
-        if match[0].endswith("{"):
-            end = _closed(self.source, match.end(), stop)
+        stop, opens = self.paragraph_end(match.end()), match[0]
+        if opens.endswith("{"):
+            end, length = closing(self.source, match.end() - 1, stop), 1
         else:
-            end = self.source.find(closing, match.end(), stop) + len(closing)
-        if len(self.dollars) % 2 or end < match.end():
+            closes = opens.replace("<", "</")
+            end, length = self.source.find(closes, match.end(), stop), len(closes)
+        if len(self.dollars) % 2 or end is None or end < 0:
             return match.end()
+        end += length
         self.skip(match.start(), end, "struck out")
         return end
 

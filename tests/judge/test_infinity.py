@@ -27,6 +27,7 @@ RIGHT = [
     r"\sum_{k=1}^\infty \frac{1}{k^2} = \frac{\pi^2}{6}",
     r"\sum_{k=1}^N k = \frac{N(N + 1)}{2}",
     r"\sum_{k=1}^4 k^2 = 30",
+    r"\sum_{n=0}^N x^n = \frac{1 - x^{N + 1}}{1 - x}",
 ]
 WRONG = {
     r"\int_0^\infty e^{-a x}\,dx = \frac2a": "½ times as much",
@@ -35,6 +36,7 @@ WRONG = {
     r"\sum_{n=1}^\infty x^n = \frac{1}{1 - x}": "x times as much",
     r"\sum_{k=1}^N k = \frac{N(N - 1)}{2}": "another sign before 1",
     r"\sum_{k=1}^4 k^2 = 25": "another number",
+    r"\sum_{n=0}^N x^n = \frac{1 - x^N}{1 - x}": "x times x^N",
 }
 OPEN = {
     r"\int_0^\infty \sin x\,dx = 1": "an integral that is not seen to converge",
@@ -60,6 +62,10 @@ def test_another_value_is_a_slip(line, slip):
 def test_what_has_no_value_is_open(line, reason):
     record = last(f"$$ {line} $$")
     assert (record["verdict"], record["note"]) == ("undecided", reason)
+
+
+def test_what_a_sum_is_for_one_value_alone_does_not_follow():
+    assert last(r"$$ \sum_{n=0}^N x^n = N + 1 $$")["passed"] is None  # it is so where x = 1
 
 
 def test_a_letter_is_integrated_as_far_as_infinity_from_a_time():

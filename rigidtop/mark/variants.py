@@ -1,0 +1,120 @@
+"""How a line may be meant otherwise than it is written: in the body, of vectors, along an axis."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.meaning import AT_REST, IN_BODY
+from rigidtop.mark.facts import GIVEN
+from rigidtop.tree import nodes as n
+from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.statement import Statement
+
+BODY = re.compile(
+    r"\b(?:body|rotating|co-?rotating|körper|mitrotieren|mitbewegt|mitgeführt|hauptachsensystem)",
+    re.I,
+)
+"""Words for the frame in which a dot on a vector differentiates its components."""
+
+
+def in_body(each: Statement) -> Statement | None:
+    """The statement with dots on vectors for the rates of their components in the body."""
+
+    def seen(node: Node) -> Node:
+        match node:
+            case n.Rate(Letter(bold=True), frame=""):
+                return replace(node, frame="body")
+        return node
+
+    sides = tuple(n.mapped(side, seen) for side in each.sides)
+    return replace(each, sides=sides) if sides != each.sides else None
+
+
+def in_its_frame(each: Statement) -> Statement | None:
+    """The statement where a frame with a name of the answer's own turns with what stands beside it.
+
+    Of (dA/dt)_frame + w × A that is w.
+    """
+    nodes = [node for side in each.sides for node in n.walked(side)]
+    crossed = [(x.left, x.right) for x in nodes if isinstance(x, n.Cross)]
+
+    def seen(node: Node) -> Node:
+        match node:
+            case n.Rate(of, 1, _, frame) if frame and not frame.startswith((*AT_REST, *IN_BODY)):
+                beside = {b if a == of else a for a, b in crossed if of in (a, b)}
+                if len(beside) == 1:
+                    moved = n.Negative(n.Cross(beside.pop(), of))
+                    return n.Group(n.Sum((n.Rate(of, dotted=True), moved)))
+        return node
+
+    sides = tuple(n.mapped(side, seen) for side in each.sides)
+    return replace(each, sides=sides) if sides != each.sides else None
+
+
+_VERTICAL = Letter("z", mark="hat", bold=True)
+
+
+def aligned(
+    each: Statement, contexts: tuple[Context, ...]
+) -> tuple[Statement, tuple[Context, ...]]:
+    """What L_z = L, or **L** = L **ẑ**, supposes: that **L** lies along **ẑ**, and L is L_z.
+
+    Of a length that is equal to a component no world knows in which direction it may change.
+    """
+    match each.sides:
+        case (Letter(base, "z", "", False), Letter() as length):
+            vector = Letter(base, bold=True)
+        case (Letter(bold=True) as vector, n.Product((Letter() as length, axis)), *_) if (
+            axis == _VERTICAL
+        ):
+            pass
+        case _:
+            return each, contexts
+    if replace(vector, bold=False) != length:
+        return each, contexts
+    component = Definition(n.Dot(vector, _VERTICAL), GIVEN)
+    known = tuple(
+        replace(x.defining(length, component), not_zero=(*x.not_zero, length))
+        if {vector, _VERTICAL} <= x.definitions.keys()
+        else x
+        for x in contexts
+    )
+    if known == contexts:
+        return each, contexts
+    along = replace(each, sides=(n.Cross(vector, _VERTICAL), n.Number("0")), relations=("=",))
+    return along, known
+
+
+def of_vectors(each: Statement, contexts: Sequence[Context]) -> Statement | None:
+    """The statement with vectors for letters with a point or a cross between, as plain ω·L."""
+    given = frozenset().union(*(context.given for context in contexts))
+
+    def vector(node: Node) -> Node:
+        bold = replace(node, bold=True) if isinstance(node, Letter) else node
+        return bold if bold in given else node
+
+    def seen(node: Node) -> Node:
+        match node:
+            case n.Dot(n.Product((*factors, Letter() as left)), Letter() as right):
+                return n.Product((*factors, n.Dot(vector(left), vector(right))))
+            case n.Dot(Letter() as left, Letter() as right):
+                return n.Dot(vector(left), vector(right))
+            case n.Cross(Letter() as left, Letter() as right):
+                return n.Cross(vector(left), vector(right))
+        return node
+
+    sides = tuple(n.mapped(side, seen) for side in each.sides)
+    return replace(each, sides=sides) if sides != each.sides else None
+
+
+def with_vector(each: Statement, contexts: Sequence[Context]) -> Statement | None:
+    """The statement with a vector on its left side, where the facts know one of that name."""
+    left = each.sides[0]
+    if not isinstance(left, Letter) or left.bold:
+        return None
+    bold = replace(left, bold=True)
+    is_known = any(bold in context.given for context in contexts)
+    return replace(each, sides=(bold, *each.sides[1:])) if is_known else None
