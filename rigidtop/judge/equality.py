@@ -28,7 +28,7 @@ from rigidtop.judge.context import LAW, PLACE, SETTING, Constraint, Definition
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.counterexample import acceleration, refuted
 from rigidtop.judge.faults import NUMBERS
-from rigidtop.judge.jets import rate
+from rigidtop.judge.jets import jet_of, rate
 from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.numbers import A_MINUTE, are_numbers, compared
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, UNDECIDED, Outcome
@@ -172,8 +172,13 @@ def _vacuous(question: Question) -> Judgement | None:
     terms = [x for side in sides for x in Add.make_args(side) if x != 0]
     general = replace(context, constraints=kept, definitions=named)
     is_case = len(kept) + len(named) < len(context.constraints) + len(context.definitions)
-    if not is_case or (terms and len(terms) < 2) or not question.worlds.vanish(terms):
+    if (terms and len(terms) < 2) or not question.worlds.vanish(terms):
         return None
+    if not is_case:
+        # A constant of the answer's own that nothing sets is zero only as all has to be.
+        numbers = filter(None, map(jet_of, question.worlds.zeros))
+        stuck = question.at.closed and any(settings.is_own(question, x) for x in numbers)
+        return (Outcome(UNDECIDED, _ALL_VANISH, question.rests_on), context) if stuck else None
     other = replace(question.within(general), asked=None)
     if other.worlds.holds(other.both):
         return None

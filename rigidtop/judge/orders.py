@@ -16,8 +16,9 @@ from sympy import Add, Expr, Symbol
 from rigidtop.judge.jets import TIME, jet_of, operations
 from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.program import Array, Program, Steps, UnknownFunctionError
+from rigidtop.judge.solver import least
 from rigidtop.judge.surroundings import highest
-from rigidtop.judge.worlds import Worlds, least
+from rigidtop.judge.worlds import Worlds
 from rigidtop.tree.nodes import Letter
 from rigidtop.tree.plain import plain
 

@@ -10,7 +10,7 @@ from sympy import Symbol
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import PLACE, SETTING, Context, Definition
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.jets import TIME, Jet, jet_of
+from rigidtop.judge.jets import TIME, Jet, jet_of, jets
 from rigidtop.judge.numbers import are_numbers
 from rigidtop.judge.outcome import DEFINITION, PREMISE, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
@@ -246,11 +246,14 @@ def part(question: Question) -> Judgement | None:
 def coordinates(question: Question) -> Judgement | None:
     """What fixes letters of an answer's own that move: ω₂ = A sin χ behind ω₁ = A cos χ.
 
-    It says what was left open of them, or, where that was but a sign, which one is meant.
+    It says what was left open of them, or, where that was but a sign, which one is meant.  How they
+    are accelerated has to follow.
     """
     if not question.at.closed or question.at.instant or question.inner:
         return None
     asked = {x for gap in question.gaps for x in gap.free_symbols}
+    if any(jet.order > 1 for gap in question.gaps for jet in jets(gap).values()):
+        return None
     free = [x for x in question.worlds.letters if x in asked and _is_named(question, x)]
     if not free:
         return None
@@ -258,7 +261,9 @@ def coordinates(question: Question) -> Judgement | None:
     squares = [(left**2, right**2) for left, right in question.both]
     if not fixes(question, free):
         chooses = question.worlds.holds(squares) and len(squares) == 1
-        if not (chooses and question.of(question.both, known).worlds.count):
+        chosen = question.of(question.both, known).worlds if chooses else None
+        # Against a sign that is settled nothing is left but zeros.
+        if chosen is None or not chosen.count or chosen.zeros - question.worlds.zeros:
             return None
     return Outcome(PREMISE, "it says what is meant", question.rests_on_meaning), known
 

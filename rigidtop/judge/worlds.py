@@ -5,7 +5,7 @@ Each is found by weighted least squares, in which the highest rates move first a
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import combinations, compress
@@ -14,22 +14,17 @@ from operator import attrgetter
 import numpy as np
 import sympy
 from numpy.typing import NDArray
-from sympy import Expr, I, Mul, Symbol, factor_terms, fraction, together
+from sympy import Expr, I, Mul, Symbol, exp, factor_terms, fraction, together
 
 from rigidtop.judge.digits import Place, has_extremes, needed, places, refined
-from rigidtop.judge.jets import Jet, jet_of, symbols
+from rigidtop.judge.jets import TIME, Jet, jet_of, symbols
 from rigidtop.judge.letters import VELOCITIES
 from rigidtop.judge.program import Array, Program, Steps, UnknownFunctionError
+from rigidtop.judge.solver import order, solved, starts, weight
 from rigidtop.tree.nodes import Letter
 
 WORLDS = 4
 """So many worlds are asked."""
-
-_STARTS, _STEPS, _PATIENCE, _MORE = 12, 60, 32, 8
-"""So many places are tried, with so many steps: fewer where none is exact by then, and few more
-behind the first exact one if there are enough."""
-_EXACT = 1e-12
-"""An equation holds where its sides differ by no more than this share of its terms."""
 
 SMALLEST = 0.02
 """A parameter nearer to zero makes a place degenerate, and such a place is no world."""
@@ -109,6 +104,12 @@ class Worlds:
     @property
     def count(self) -> int:
         return int(self.points.shape[1])
+
+    @property
+    def zeros(self) -> frozenset[Symbol]:
+        """The letters that are zero in every world."""
+        vanish: NDArray[np.bool_] = np.all(np.abs(self.points) < _ZERO, axis=1)
+        return frozenset(compress(self.letters, vanish))
 
     @cached_property
     def program(self) -> Program:
@@ -227,7 +228,7 @@ def found(
     More worlds are looked for until there are `enough`, from three times as many places.
     """
     if not equations or not letters:
-        return Worlds(tuple(letters), _starts(letters, 0)[:, :WORLDS], free=True)
+        return Worlds(tuple(letters), starts(letters, 0)[:, :WORLDS], free=True)
     settled = tuple(equations), tuple(letters), frozenset(may_vanish), tuple(not_zero)
     return _found(*settled, enough)
 
@@ -241,7 +242,7 @@ def _found(
     enough: int,
 ) -> Worlds:
     fixed = _parameters(letters)
-    weights = np.array([0.3 if x in fixed else _weight(x) for x in letters])
+    weights = np.array([0.3 if x in fixed else weight(x) for x in letters])
     parameters = np.array([x in fixed and not _is_of(x, may_vanish) for x in letters])
     still = [e for e in equations if symbols(e) <= fixed]
     factors = (x for e in equations if e not in still for x in _factors(e) if symbols(x) <= fixed)
@@ -255,16 +256,16 @@ def _found(
     every = np.zeros((len(letters), 0), complex)
     for seed in range(_SEEDS):
         try:
-            starts = _starts(letters, seed, backwards)[:, : 3 * enough]
+            begins = starts(letters, seed, backwards)[:, : 3 * enough]
             points, exact = _with_amplitudes(
-                equations, letters, starts, weights, enough, amplitudes
+                equations, letters, begins, weights, enough, amplitudes
             )
             if not exact.any():
-                points, exact = _solved(equations, letters, starts, weights, enough)
+                points, exact = solved(equations, letters, begins, weights, enough)
             if exact.any() and not _stay(points, exact, parameters).any():
                 # A parameter that everything is multiplied by goes to zero.
                 bare = [_without_factors(x, fixed) for x in equations]
-                points, exact = _solved(bare, letters, starts, weights, enough)
+                points, exact = solved(bare, letters, begins, weights, enough)
             exact &= _is_not_zero(not_zero, letters, points)
         except UnknownFunctionError:
             break
@@ -279,11 +280,21 @@ def _found(
         forced = zero[:, real].all(axis=1, keepdims=True)
         if (real & (zero <= forced).all(axis=0)).sum() >= enough:
             break
+    tried = _in_exponents(equations)
+    free = np.array([x in tried or _is_of(x, may_vanish) for x in letters])
+    if tried and not phased and every.size and (np.abs(every[free]) < SMALLEST).any(axis=0).all():
+        # With real numbers exp(κ t) solves nothing but where κ, or what it multiplies, is zero.
+        turned = starts(letters, 0) * np.exp(1j * np.arange(len(letters)))[:, None]
+        points, exact = solved(equations, letters, turned, weights, enough)
+        exact = _stay(points, exact, parameters | free)
+        every = np.hstack([every, points[:, exact & (np.abs(points) < 1e4).all(axis=0)]])
+        zero = np.abs(np.vstack([every, Program(letters, every).values(sums).values])) < 1e-6
+        real = np.abs(every.imag).max(axis=0, initial=0) < 1e-9
     if not every.size:
         return Worlds(letters, every, equations)
     # A place where something happens to vanish says less than one where nothing does, or only
     # the rate of it.
-    vanishing = np.array([4 - min(_order(x), 3) for x in letters] + [4] * len(sums)) @ zero
+    vanishing = np.array([4 - min(order(x), 3) for x in letters] + [4] * len(sums)) @ zero
     chosen = vanishing == vanishing.min()
     chosen = chosen & real if (chosen & real).sum() >= 2 else chosen
     tied = bool(zero[len(letters) : len(letters) + len(ties), chosen].all(axis=1).any())
@@ -303,23 +314,29 @@ def _with_digits(worlds: Worlds, digits: int) -> tuple[Place | None, ...]:
 _SEEDS = 3
 
 
+def _in_exponents(equations: Iterable[Expr]) -> frozenset[Symbol]:
+    """The letters that stand beside the time in an exponent, as κ in exp(κ t)."""
+    exponents = (x.args[0] for e in equations for x in e.atoms(exp) if TIME in symbols(x))
+    return frozenset().union(*map(symbols, exponents)) - {TIME}
+
+
 def _with_amplitudes(
     equations: Sequence[Expr],
     letters: Sequence[Symbol],
-    starts: Array,
+    begins: Array,
     weights: NDArray[np.float64],
     enough: int,
     amplitudes: NDArray[np.bool_],
 ) -> tuple[Array, NDArray[np.bool_]]:
     """The same with complex numbers for amplitudes alone, where all others are real."""
     if not amplitudes.any():
-        return starts, np.zeros(starts.shape[1], bool)
+        return begins, np.zeros(begins.shape[1], bool)
     names = {x for x, is_one in zip(letters, amplitudes, strict=True) if is_one}
     others = [x for x in equations if not symbols(x) & names]
     if others:
-        starts, exact = _solved(others, letters, starts, np.where(amplitudes, 0, weights), enough)
-        starts = starts[:, exact]
-    made, exact = _solved(equations, letters, starts, np.where(amplitudes, weights, 0), enough)
+        begins, exact = solved(others, letters, begins, np.where(amplitudes, 0, weights), enough)
+        begins = begins[:, exact]
+    made, exact = solved(equations, letters, begins, np.where(amplitudes, weights, 0), enough)
     return made, _stay(made, exact, amplitudes)
 
 
@@ -352,105 +369,10 @@ def _is_not_zero(
     return np.asarray((np.abs(values) > SMALLEST).all(axis=0), bool)
 
 
-def _solved(
-    equations: Sequence[Expr],
-    letters: Sequence[Symbol],
-    points: Array,
-    weights: NDArray[np.float64],
-    enough: int,
-) -> tuple[Array, NDArray[np.bool_]]:
-    points = points.copy()
-    exact = np.zeros(points.shape[1], bool)
-    lost = np.zeros(points.shape[1], bool)
-    largest = np.maximum(1, weights)[:, None]
-    steps = Steps(equations, letters)
-    first = _STEPS  # the step at which one was found
-    for step in range(_STEPS):
-        left = np.flatnonzero(~exact & ~lost)
-        first = min(first, step) if exact.any() else first
-        late = step > first + _MORE
-        if not len(left) or exact.sum() >= (enough if late else 2 * enough):
-            break
-        if step > (_PATIENCE if first == _STEPS else first + 3 * _MORE):
-            break
-        at = steps.at(points[:, left])
-        finite = np.isfinite(at.values).all(axis=0) & np.isfinite(at.slopes).all(axis=(0, 1))
-        arrived = finite & (np.abs(at.values) <= _EXACT * (at.sizes + 1e-3)).all(axis=0)
-        lost[left[~finite]] = True
-        exact[left[arrived]] = True
-        on = finite & ~arrived
-        if not on.any():
-            continue
-        gap, size, slope = at.values[:, on], at.sizes[:, on], at.slopes[:, :, on]
-        scale = np.abs(slope).max(axis=1) + 1e-300
-        gap = np.where(np.abs(gap) <= _EXACT * size, 0, gap)
-        scale = np.where((gap == 0) & (scale <= 1e-9 * (size + 1e-3)), np.inf, scale)
-        matrix = np.moveaxis(slope / scale[:, None] * weights[:, None], -1, 0)
-        move = weights[:, None] * least(matrix, (-gap / scale).T, 1e-9).T
-        farthest = np.abs(move / largest).max(axis=0)
-        points[:, left[on]] += move * (0.7 / np.maximum(farthest, 0.7))
-        lost[left[on]] = (np.abs(points[:, left[on]]) > 1e5).any(axis=0)
-    return points, exact
-
-
-def least(matrices: Array, right: Array, rounding: float) -> Array:
-    """The smallest solutions of systems of linear equations, each as nearly as it has one.
-
-    A singular value that is no larger than this share of the largest one is taken for zero.
-    """
-    if not matrices.imag.any() and not right.imag.any():
-        matrices, right = matrices.real, right.real
-    made: Array = (np.linalg.pinv(matrices, rcond=rounding) @ right[..., None])[..., 0]
-    return made
-
-
-def _starts(
-    letters: Sequence[Symbol], seed: int, backwards: frozenset[Symbol] = frozenset()
-) -> Array:
-    rates = tuple(_order(x) > 0 for x in letters)
-    return _places(seed, rates, tuple(bool(seed) and x in backwards for x in letters))
-
-
-@lru_cache(maxsize=1_000)
-def _places(seed: int, rates: tuple[bool, ...], backwards: tuple[bool, ...]) -> Array:
-    """Random numbers for letters that are rates, or not; a speed may be one backwards.
-
-    Of two places that stand side by side the rates have opposite signs, so that √ẋ² is not ẋ.
-    """
-    rng = np.random.default_rng(seed)
-    rows = [
-        rng.uniform(-1.5, 1.5, _STARTS) if is_rate else rng.uniform(0.5, 1.9, _STARTS)
-        for is_rate in rates
-    ]
-    for row in (row for row, is_rate in zip(rows, rates, strict=True) if is_rate):
-        row[1::2] = np.copysign(row[1::2], -row[::2])
-    rows = [
-        row * rng.choice([-1, 1], _STARTS) if either else row
-        for row, either in zip(rows, backwards, strict=True)
-    ]
-    places: Array = np.array(rows, complex).reshape(len(rates), _STARTS)
-    places.setflags(write=False)
-    return places
-
-
 def _is_speed(x: Symbol) -> bool:
     """Whether it is a speed by its name."""
     jet = jet_of(x)
     return jet is not None and not jet.order and jet.letter.base in VELOCITIES
-
-
-def _order(x: Symbol) -> int:
-    jet = jet_of(x)
-    return jet.order if jet is not None else 0
-
-
-@lru_cache(maxsize=20_000)
-def _weight(x: Symbol) -> float:
-    """How far a letter may go: rates farther, the parameters of which nothing moves least."""
-    jet = jet_of(x)
-    if jet is None:
-        return 0.3 if x.name.startswith(("t\x1f", "unit ", "part ")) else 10.0
-    return (1.0, 3.0, 10.0, 30.0)[min(jet.order, 3)]
 
 
 def _parameters(letters: Sequence[Symbol]) -> frozenset[Symbol]:
