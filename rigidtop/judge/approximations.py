@@ -166,7 +166,7 @@ def nearly_equal(question: Question) -> Judgement | None:
     accelerates = any(
         jet.order > 1 for pair in question.both for side in pair for jet in jets(side).values()
     )
-    if words not in fixed and accelerates:
+    if words not in fixed and accelerates and not question.at.closed:  # there laws are known
         context = context.holding(question.constraint(LINEAR))
     outcome = Outcome(ASSUMING, f"for {words}", question.rests_on, conditions=(words,))
     return outcome, context
@@ -237,7 +237,7 @@ def near_slip(question: Question) -> Slip | None:
     at = question.at
     if at.large and Cue.SMALL not in at.cues:
         question = replace(question, at=replace(at, cues=at.cues - {Cue.APPROXIMATED}))
-    alike = partial(_is_alike, question)
+    alike = partial(_is_alike, question, strictly=True)
     return slip(question, alike, "\\approx", most=NEARLY_ALIKE)
 
 

@@ -10,10 +10,10 @@ import sympy
 from sympy import Expr, MatrixBase
 
 from rigidtop.judge import quadrature, series
-from rigidtop.judge.jets import TIME, at_instant, jet_of, jets
+from rigidtop.judge.jets import TIME, at_instant, jet_of, jets, time_at
 from rigidtop.judge.letters import INFINITY, MOMENTA
 from rigidtop.judge.particles import MASS, PARTICLES, REGION, VOLUME, is_over_body, part, tuples
-from rigidtop.judge.values import UnclearError, Value, added, multiplied
+from rigidtop.judge.values import UnclearError, Value, added, multiplied, scaled
 from rigidtop.judge.vocabulary import Meant, Vocabulary
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -36,21 +36,29 @@ class Calculus(Vocabulary):
 
     def call(self, node: n.Call) -> Value:
         function, places = node.function, node.places
-        order = 0
+        order, dots = 0, 0
         while isinstance(function, (n.Primed, n.Rate)):
             order += function.order
+            dots += function.order * isinstance(function, n.Rate)
             function = function.of
         if not isinstance(function, Letter):
             raise UnclearError("a function that is no letter")
         if self.is_time(places):
             return self.differentiated(self.letter(function), order)
+        passed = self._passed(function, places)
+        if passed is not None:
+            value = self.differentiated(self.letter(function), dots)
+            place, instant = passed
+            value = self._along(value, place, order - dots)
+            return self._then(value, instant, time_at(instant))
         definition = self.definition(function)
         usual = (definition.places if definition else ()) or self.context.habits.functions.get(
             function, ()
         )
         timed = function in self.moving or self._is_timed(function, places)
-        if timed and len(places) == 1 and places[0] in self.moving and not order:
-            return self.letter(function)  # y(x), where both move: the path
+        if timed and len(places) == 1 and places[0] in self.moving and order == dots:
+            # y(x), where both move: the path; and ẏ(x), its speed there
+            return self.differentiated(self.letter(function), order)
         if len(places) == 1 and timed and places[0] != function:
             # x(0), where x is a function of the time
             return self.at_time(self.differentiated(self.letter(function), order), places[0])
@@ -59,12 +67,27 @@ class Calculus(Vocabulary):
             return factorial.evalf(DIGITS) if factorial.has(sympy.gamma) else factorial
         if definition is None:
             return self._slope(self.unknown(function, places), places, order)
-        meaning = self._held_for(function) if order else self
+        meaning = self._held_for(function) if order or places != usual else self
         value = meaning._slope(meaning._form(function, usual), usual or places, order)
-        value = self._released(value, meaning.held - self.held)
         for there, usually in zip(places, usual, strict=False):
             if there != usually:
                 value = put(value, self.scalar(usually), self.scalar(there))
+        return self._released(value, meaning.held - self.held)
+
+    def _passed(self, function: Letter, places: Sequence[Node]) -> tuple[Letter, str] | None:
+        """The coordinate that is at the place of X(θ₀) at some instant, and that; None if none."""
+        definition = self.definition(function)
+        varies = function in self.moving or (definition and self._has_rates(definition.node))
+        for each in self.context.constraints:
+            left = each.left
+            if varies and each.instant and isinstance(left, Letter) and (each.right,) == places:
+                return left, each.instant
+        return None
+
+    def _along(self, value: Value, place: Letter, order: int) -> Value:
+        """The slope of what has rates, along the motion: F′(θ) is Ḟ/θ̇."""
+        for _ in range(order):
+            value = scaled(self.rate(value), 1 / self.rate(self.scalar(place)))
         return value
 
     def _is_timed(self, function: Letter, places: Sequence[Node]) -> bool:
@@ -102,7 +125,10 @@ class Calculus(Vocabulary):
     def at_time(self, value: Value, place: Node) -> Value:
         """What a value is at a time, as x(0) is."""
         time = self.scalar(place)
-        instant = f"t={sympy.srepr(time)}"
+        return self._then(value, f"t={sympy.srepr(time)}", time)
+
+    def _then(self, value: Value, instant: str, time: Expr) -> Value:
+        """What a value is at an instant."""
 
         def there(x: Expr) -> Expr:
             return at_instant(x, instant, self.moving, time)
@@ -188,14 +214,15 @@ class Calculus(Vocabulary):
         """Momenta that a function is written in stay what they are while it is differentiated."""
         definition = self.definition(self.named(function))
         chosen = self.chosen.get(function)
-        if chosen is not None:  # it is written in these letters, whatever they stand for
-            names = {x for x in n.letters(chosen) if self.definition(x) is not None}
+        if chosen is not None:  # it is written in these momenta, whatever they stand for
+            names = {x for x in n.letters(chosen) if self._moves(x)}
             return self.with_(held=self.held | names)
         node = definition.node if definition else None
-        if node is None or self._has_rates(node):
-            return self
         places = definition.places if definition else ()
+        places = places or self.context.habits.functions.get(function, ())
         alone = bool(places) and not self.is_time(places)  # it is a function of these alone
+        if node is None or (self._has_rates(node) and not alone):
+            return self
         kept = {x for x in n.letters(node) if self.is_momentum(x) or (alone and self._moves(x))}
         return self.with_(held=self.held | kept) if kept else self
 

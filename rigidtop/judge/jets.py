@@ -119,3 +119,8 @@ def at_instant(expression: Expr, instant: str, moving: frozenset[Letter], time: 
         if not jet.instant and (jet.order or jet.letter in moving)
     }
     return sympy.sympify(expression).xreplace(put | {TIME: time})
+
+
+def time_at(instant: str) -> Symbol:
+    """The time at an instant of which nothing says when it is."""
+    return Symbol(f"t\x1f{instant}", real=True)

@@ -27,6 +27,7 @@ from rigidtop.judge.jets import (
     jets,
     rate,
     symbol,
+    time_at,
 )
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.names import is_vector
@@ -185,11 +186,6 @@ def _of(constraint: Constraint, context: Context, memory: Memory) -> list[Residu
         if gap != 0:
             made.append(Residual(gap, rests_on, constraint.kind, constraint, constraint.instant))
     return made
-
-
-def time_at(instant: str) -> Symbol:
-    """The time at an instant of which nothing says when it is."""
-    return Symbol(f"t\x1f{instant}", real=True)
 
 
 def moved(expression: Expr, instant: str, context: Context, memory: Memory) -> Expr:

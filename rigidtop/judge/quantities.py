@@ -16,8 +16,8 @@ from rigidtop.judge import energies, extremes
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import SETTING, START, Constraint, Context, Definition
 from rigidtop.judge.faults import slip
-from rigidtop.judge.jets import TIME, jet_of
-from rigidtop.judge.laws import LAGRANGIANS, coordinates, time_at
+from rigidtop.judge.jets import TIME, jet_of, time_at
+from rigidtop.judge.laws import LAGRANGIANS, coordinates
 from rigidtop.judge.letters import (
     ANGLES,
     CLOCK,

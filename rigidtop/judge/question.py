@@ -12,8 +12,8 @@ from sympy import Expr
 
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, Definition
-from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
-from rigidtop.judge.laws import moved, residuals, time_at
+from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol, time_at
+from rigidtop.judge.laws import moved, residuals
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import SAMPLED, Outcome
 from rigidtop.judge.particles import particles

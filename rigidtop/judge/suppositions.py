@@ -63,6 +63,11 @@ def _possible(
         yield Supposition(statement, at, general, lasts=True)
     turned = _with_rates_for_primes(statement)
     yield Supposition(turned, at, context, words="with a prime for the rate")
+    along = _along_the_motion(statement, context)
+    yield Supposition(along, at, context, words="along the motion" if along != statement else "")
+    passed = _where_it_passes(statement, context)
+    for each in (statement, along):
+        yield Supposition(each, replace(at, instant=passed or at.instant), context)
     stated = states.stated(statement, at, context)
     yield Supposition(statement, at, stated or context, tells=True)
     nearly = _to_first_order(at, context)
@@ -120,6 +125,28 @@ def _with_rates_for_primes(statement: Statement) -> Statement:
 
     sides = tuple(n.mapped(side, turned) for side in statement.sides)
     return statement if sides == statement.sides else replace(statement, sides=sides)
+
+
+def _along_the_motion(statement: Statement, context: Context) -> Statement:
+    """The statement with the ratio of rates Ġ/θ̇ for the slope dG/dθ by what moves."""
+    moving = context.habits.moving
+
+    def ratio(node: Node) -> Node:
+        match node:
+            case n.Derivative(Letter() as of, (Letter() as by,), False) if by in moving:
+                return n.Quotient(n.Rate(of, 1, True), n.Rate(by, 1, True))
+        return node
+
+    sides = tuple(n.mapped(side, ratio) for side in statement.sides)
+    return statement if sides == statement.sides else replace(statement, sides=sides)
+
+
+def _where_it_passes(statement: Statement, context: Context) -> str:
+    """The instant at which a slope is taken: dG/dθ in a line with θ₀; nothing if there is none."""
+    nodes = [x for side in statement.sides for x in n.walked(side)]
+    by = {x for node in nodes if isinstance(node, n.Derivative) for x in node.by}
+    there = (c for c in context.constraints if c.instant and c.left in by and c.right in nodes)
+    return next((c.instant for c in there), "")
 
 
 def _at_the_latest_moment(

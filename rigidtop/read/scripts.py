@@ -121,7 +121,7 @@ def _is_called(grammar: Grammar, node: Node) -> bool:
         return _is_number(grammar, inside)
     if any(each.kind == "open" for each in inside) or len(inside) > 24:
         return False
-    return _holds_places(grammar, inside)
+    return _holds_places(grammar, node, inside)
 
 
 def _is_number(grammar: Grammar, inside: Sequence[Token]) -> bool:
@@ -132,7 +132,7 @@ def _is_number(grammar: Grammar, inside: Sequence[Token]) -> bool:
         return False
 
 
-def _holds_places(grammar: Grammar, inside: Sequence[Token]) -> bool:
+def _holds_places(grammar: Grammar, node: Node, inside: Sequence[Token]) -> bool:
     try:
         place = grammar.node_of(inside)
     except UnreadError:
@@ -141,6 +141,8 @@ def _holds_places(grammar: Grammar, inside: Sequence[Token]) -> bool:
         return all(map(is_place, place.entries)) and bool(letters(place))
     if place == Number("0") or (isinstance(place, Letter) and place.base == "t"):
         return True
+    if isinstance(node, Rate) and isinstance(place, Letter):
+        return True  # nobody writes φ̇(θ) for a product
     guessed = grammar.reading.calls and not grammar.reading.functions
     return guessed and is_place(place) and not isinstance(place, Number)
 
