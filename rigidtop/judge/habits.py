@@ -152,10 +152,13 @@ def _parameters(read: Sequence[Statement], moving: Collection[Letter]) -> set[Le
 
 
 def _is_multiple(value: Node) -> bool:
-    """Whether it is a number of times a letter, which may be its value at one place: v = 3 u."""
+    """Whether it is a number of times a letter, which may be its value at one place: v = 3 u.
+
+    It may stand before a unit vector, as in **ω** = w **e**₃.
+    """
     bare = value.of if isinstance(value, n.Negative) else value
     factors = bare.factors if isinstance(bare, n.Product) else (bare,)
-    names = [x for x in factors if n.letters(x)]
+    names = [x for x in factors if n.letters(x) and not (isinstance(x, Letter) and x.bold)]
     return len(names) == 1 and isinstance(names[0], Letter)
 
 
@@ -224,7 +227,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         function = call.function.of if isinstance(call.function, n.Primed) else call.function
         if not isinstance(function, Letter) or function in moving:
             continue
-        if call.places != (running,) and all(isinstance(x, Letter) for x in call.places):
+        if call.places != (running,) and all(isinstance(bare(x), Letter) for x in call.places):
             functions.setdefault(function, call.places)
     primed = {x.of for x in nodes if isinstance(x, n.Primed) and isinstance(x.of, Letter)}
     fields = fields_of(read, moving)

@@ -33,7 +33,7 @@ def staying(question: Question) -> Context | None:
             rates = [question.then(rate(gap, question.moving), instant) for gap in gaps]
         except UnclearError:
             continue
-        there = question.of([(each, Integer(0)) for each in rates])
+        there = replace(question, deep=True).of([(each, Integer(0)) for each in rates])
         if there.worlds.count and there.worlds.holds(there.both):
             kept = tuple(c for c in context.constraints if c.instant != instant)
             always = (replace(each, instant="", kind=SETTING) for each in facts)

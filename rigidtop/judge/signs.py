@@ -12,6 +12,7 @@ from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.question import Judgement, Question
 from rigidtop.judge.sides import ZERO, named, other_root
 from rigidtop.judge.values import UnclearError
+from rigidtop.judge.worlds import Worlds
 from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.latex import latex
@@ -25,7 +26,8 @@ def but_for_a_sign(question: Question) -> Judgement | None:
     if len(question.both) != 1:
         return None
     [(left, right)] = question.both
-    bare = [x for x, value in zip(sides, (left, right), strict=True) if not _has_root(x, value)]
+    both = zip(sides, (left, right), strict=True)
+    bare = [x for x, value in both if not _has_root(x, value, question.worlds)]
     if len(bare) != 1 or bare[0] == ZERO:
         return None
     signs = question.worlds.signs([left * right])
@@ -43,9 +45,15 @@ def but_for_a_sign(question: Question) -> Judgement | None:
     return replace(outcome, verdict=ASSUMING, why=words, conditions=(where,)), context
 
 
-def _has_root(side: Node, value: Expr) -> bool:
-    """Whether a root, or |x|, is in how a side is written or in what it stands for."""
-    return value.has(Abs) or any(isinstance(x, n.Root) for x in n.walked(side))
+def _has_root(side: Node, value: Expr, worlds: Worlds) -> bool:
+    """Whether a root, or |x|, is in how a side is written or in what it stands for.
+
+    What is positive anyway, as |g|, has no sign to lose.
+    """
+    inside = [x.args[0] for x in value.atoms(Abs)]
+    signs = worlds.signs(inside) if inside else None
+    lost = bool(inside) and (signs is None or bool((signs < 0).any()))
+    return lost or any(isinstance(x, n.Root | n.Absolute) for x in n.walked(side))
 
 
 def one_root(question: Question) -> Judgement | None:

@@ -16,7 +16,7 @@ class Situation:
     of words; `opens`: nothing stands above it in its scope; `declared` are letters that words
     introduce.
     `closed`: all that is needed has been said, so that what does not hold is false; `tried`: it is
-    a number of an example, and of what is said beside it alone.
+    a number of an example, and of what is said beside it alone; `named`: it may name a case.
     """
 
     number: int
@@ -28,6 +28,7 @@ class Situation:
     inline: bool = False
     closed: bool = False
     tried: bool = False
+    named: bool = False
     opens: bool = False
     declared: frozenset[Letter] = frozenset()
 

@@ -19,7 +19,17 @@ from rigidtop.judge.context import LAW, SETTING, START, Constraint, Context, Def
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import LAGRANGIANS
-from rigidtop.judge.outcome import DEFINITION, FALSE, PREMISE, UNDECIDED, UNREAD, Outcome
+from rigidtop.judge.letters import CLOCK
+from rigidtop.judge.neighbours import around
+from rigidtop.judge.outcome import (
+    DEFINITION,
+    FALSE,
+    PREMISE,
+    SAMPLED,
+    UNDECIDED,
+    UNREAD,
+    Outcome,
+)
 from rigidtop.judge.question import Patience
 from rigidtop.judge.reading import Read, read_text
 from rigidtop.judge.sides import NEARLY, ZERO
@@ -115,7 +125,8 @@ class _Answer:
     of them that are said of one moment or suppose a case, `chain` the sides of the last chain, and
     `lost` what a right line leaves out; `in_body`: dots on vectors may be rates as they are seen
     from the body.  `moment` is the instant of which the last line speaks, and `aside` what is known
-    in a case of which only the sentence with the number `aside_sentence` speaks.
+    in a case of which only the sentence with the number `aside_sentence` speaks, or the item of a
+    list that is `aside_scope`.
     """
 
     judge: Judge
@@ -132,6 +143,7 @@ class _Answer:
     moment: str = ""
     aside: Context | None = None
     aside_sentence: int = -1
+    aside_scope: tuple[int, ...] = ()
 
     @classmethod
     def begun(cls, source: str, read: Read, task: Task) -> _Answer:
@@ -173,8 +185,11 @@ class _Answer:
         there, aside = self._beside(each, at, outcome, limits)
         is_aside = bool(there.passed) or there.verdict in (PREMISE, DEFINITION)
         outcome = there if is_aside else outcome
-        if outcome.verdict == FALSE and self._holds_then(each, at, limits):
-            outcome = Outcome(UNDECIDED, "it holds at the moment of which the line before speaks")
+        then = outcome.verdict == FALSE and self._holds_then(each, at, limits)
+        if then:
+            always = Cue.GENERAL in at.cues or any(CLOCK in n.letters(x) for x in each.sides)
+            why = "at the moment of which the line before speaks"
+            outcome = Outcome(UNDECIDED, f"it holds {why}") if always else Outcome(SAMPLED, why)
         believed, carried = self.believed, False
         if believed:
             in_error = judged(believed)
@@ -186,16 +201,16 @@ class _Answer:
         sound, momentary = self.sound, self.momentary
         passes = outcome.passed is not False and outcome.verdict != UNDECIDED
         # What is said of the start, or of a case of its own, holds there alone.
-        if passes and not (at.instant == START or is_aside):
+        if passes and not (at.instant == START or is_aside or then):
             said = equalities(chain, each)
             sound = (*sound, *said)
             is_case = at.supposed and outcome.verdict == PREMISE
             momentary = (*momentary, *said) if at.instant or is_case else momentary
-        special = bool(outcome.passed) and place == len(self.contexts) - 1
+        special = bool(outcome.passed) and not then and place == len(self.contexts) - 1
         lost = self._lost(each) if special else ()
         answer = replace(
             self,
-            contexts=tuple(context for _, context in judgements),
+            contexts=tuple(around(each, at.number, x, self.judge.memory) for _, x in judgements),
             names=names,
             believed=believed,
             sound=sound,
@@ -203,9 +218,10 @@ class _Answer:
             chain=chain,
             lost=tuple(dict.fromkeys((*self.lost, *lost))),
             carried=carried,
-            moment=at.instant or (self.moment if outcome.verdict == UNDECIDED else ""),
+            moment=at.instant or (self.moment if then else ""),
             aside=aside,
             aside_sentence=at.sentence if aside is not None else self.aside_sentence,
+            aside_scope=at.scope if aside is not None else self.aside_scope,
         )
         return answer, outcome, place
 
@@ -214,14 +230,16 @@ class _Answer:
     ) -> tuple[Statement, list[tuple[Outcome, Context]]]:
         """A line as it is written, or as it may be meant where it fails so; with its outcomes."""
         quick = Judge(self.judge.memory, patience=Patience(0))
-        written, contexts = each, self.contexts
-        if at.supposed:
-            each, contexts = variants.aligned(each, contexts)
-        judgements = _judged(quick, each, at, contexts, limits)
-        if each is not written and len(written.sides) > 2:  # and what it is besides
-            known = tuple(context for _, context in judgements)
-            judgements = _judged(quick, written, at, known, limits)
-            each = written
+        judgements = _judged(quick, each, at, self.contexts, limits)
+        along, known = variants.aligned(each, self.contexts)
+        fails = not any(outcome.passed for outcome, _ in judgements)
+        if along is not each and (at.supposed or (fails and at.inline)):
+            judgements = _judged(quick, along, at.hearing(Cue.CASE), known, limits)
+            if len(each.sides) > 2:  # and what it is besides
+                known = tuple(context for _, context in judgements)
+                judgements = _judged(quick, each, at, known, limits)
+            else:
+                each = along
         for other, verdict in self._otherwise(each):
             if any(outcome.verdict != verdict for outcome, _ in judgements):
                 continue
@@ -249,20 +267,26 @@ class _Answer:
 
         It is a case that laws exclude, as θ = 0, where the equations for φ and ψ divide by zero.
         """
-        aside = self.aside if at.sentence == self.aside_sentence else None
-        begins = aside is None and not each.continues and (at.supposed or bool(at.instant))
+        aside = self.aside if self._is_beside(at) else None
+        supposes = at.supposed or (at.named and not at.derived)
+        begins = aside is None and not each.continues and (supposes or bool(at.instant))
         fails = outcome.verdict == FALSE or (outcome.verdict == UNDECIDED and at.inline)
         if not fails or (aside is None and not begins):
             return Outcome(UNDECIDED), aside
         known = aside or _without_facts(self.contexts[0])
         quick = Judge(self.judge.memory, patience=Patience(0))
         value = isinstance(each.sides[-1], n.Number) and len(n.letters(each.sides[0])) == 1
-        at = at.hearing(Cue.CASE) if value else at
+        at = at.hearing(Cue.CASE) if value or supposes else at
         [(there, known)] = _judged(quick, each, at, [known], limits)
         sets = there.verdict in (PREMISE, DEFINITION) and at.supposed
         if not (sets or (there.passed and not begins)):
             return Outcome(UNDECIDED), aside
         return there, known
+
+    def _is_beside(self, at: Situation) -> bool:
+        """Whether a statement stands in the sentence, or in the item of a list, of an aside."""
+        item = bool(at.scope) and at.scope[-1] < 0 and at.scope == self.aside_scope
+        return at.sentence == self.aside_sentence or item
 
     def _holds_then(self, each: Statement, at: Situation, limits: _Limits) -> bool:
         """Whether it is right at the moment, if there is one, of which the line before speaks."""
@@ -270,7 +294,12 @@ class _Answer:
             return False
         quick = Judge(self.judge.memory, patience=Patience(0))
         then = replace(at, instant=self.moment)
-        return any(o.passed for o, _ in _judged(quick, each, then, self.contexts, limits))
+        *sides, last = each.sides
+        zeros = sides if last == ZERO and {*each.relations} == {"="} else []
+        parts = [replace(each, sides=(x, ZERO), relations=("=",)) for x in zeros] or [each]
+        return all(
+            any(o.passed for o, _ in _judged(quick, x, then, self.contexts, limits)) for x in parts
+        )
 
     def _otherwise(self, each: Statement) -> Iterator[tuple[Statement, str]]:
         """How a line may be meant too, with the verdict on it as it is written."""
@@ -334,8 +363,12 @@ def _best(outcomes: Sequence[Outcome], contexts: Sequence[Context]) -> int:
 
 
 def _is_of_numbers(each: Statement) -> bool:
-    """Whether no vector stands in a statement."""
-    return not any(x.bold for side in each.sides for x in n.letters(side))
+    """Whether no vector stands in a statement but for its length."""
+
+    def length(node: Node) -> Node:
+        return n.Number("1") if isinstance(node, n.Absolute) else node
+
+    return not any(x.bold for side in each.sides for x in n.letters(n.mapped(side, length)))
 
 
 def _in_names_of(read: Read, task: Task) -> Task:

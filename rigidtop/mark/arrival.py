@@ -15,7 +15,7 @@ from sympy import Abs, Expr, ImmutableMatrix, Integer, MatrixBase, Rational, Sym
 
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import Context, Habits
-from rigidtop.judge.jets import Jet, jet_of, jets, rate, symbol
+from rigidtop.judge.jets import TIME, Jet, jet_of, jets, rate, symbol
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.names import component_of, vector_of
 from rigidtop.judge.sides import EQUALS, NEARLY, has_components
@@ -53,7 +53,9 @@ def is_reached(goal: Statement, said: Sequence[Statement], contexts: Iterable[Co
     """Whether what was said comes to a statement in one of some contexts, in other names too."""
     contexts = tuple(contexts)
     given = frozenset().union(*(context.given for context in contexts))
-    named = islice(_in_names_of(goal, said, given), MOST_NAMES)
+    named = [*islice(_in_names_of(goal, said, given), MOST_NAMES)]
+    if there := _at_places(goal, said, contexts):
+        named.append(there)
     return any(comes_to(goal, x, context) for x in (said, *named) for context in contexts)
 
 
@@ -62,18 +64,38 @@ def _in_names_of(
 ) -> Iterator[list[Statement]]:
     """What was said of a letter with an index of its own, as said of one in a statement.
 
-    So θ_s is where θ is, and Ω₁ is one of Ω₊ and Ω₋.
+    So θ_s is where θ is, Ω₁ is one of Ω₊ and Ω₋, and u₀ after u = cos θ is cos θ₀.
     """
     spoken = frozenset().union(*map(_letters, said))
     for own in sorted(spoken - given, key=str):
-        using = [each for each in said if own in _letters(each)]
         for letter in sorted(_letters(goal) - {own}, key=str):
             if own.sub and replace(own, sub=letter.sub) == letter:
                 yield [
                     replace(x, sides=tuple(_with_name(side, own, letter) for side in x.sides))
-                    for x in using
+                    for x in said
                     if letter not in _letters(x)
                 ]
+
+
+def _at_places(
+    goal: Statement, said: Sequence[Statement], contexts: Iterable[Context]
+) -> list[Statement]:
+    """What was said of u₀ as said of cos θ₀, where u is cos θ and the goal speaks of θ₀."""
+    known = {x: d.node for context in contexts for x, d in context.definitions.items()}
+    places = {replace(x, sub=""): x for x in _letters(goal) if x.sub}
+    values: dict[Node, Node] = {}
+    for own in frozenset().union(*map(_letters, said)):
+        node = known.get(replace(own, sub="")) if own.sub else None
+        inside = n.letters(node) if node is not None else frozenset()
+        if node is not None and inside and inside <= places.keys():
+            there = n.mapped(node, lambda x: places.get(x, x) if isinstance(x, Letter) else x)
+            if {x.sub for x in n.letters(there)} == {own.sub}:
+                values[own] = n.Group(there)
+
+    def put(side: Node) -> Node:
+        return n.mapped(side, lambda x: values.get(x, x))
+
+    return [replace(x, sides=tuple(map(put, x.sides))) for x in said] if values else []
 
 
 def _with_name(side: Node, own: Letter, letter: Letter) -> Node:
@@ -104,7 +126,14 @@ def comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> b
     allowed |= {replace(x, bold=True) for x in allowed & context.habits.lengths}
     vectors = {x.base for x in allowed if x.bold and not x.sub}
     allowed |= {x for each in sound for x in _letters(each) if x.base in vectors and x.sub}
-    said = [each for each in sound if _is_said_in(each, allowed, goal)]
+    # What the vector is says what its components are.
+    wholes = {vector_of(x) for x in _letters(goal) if x.sub} & context.definitions.keys()
+    allowed |= wholes | (_axes(context) if wholes or has_components(goal) else frozenset())
+    # Constants of the answer's own may tie what the goal speaks of, as in ω₂ = u exp(σ t).
+    written = frozenset().union(*map(_letters, sound))
+    tying = written - context.given - context.declared - context.definitions.keys() - allowed
+    allowed |= tying
+    said = [each for each in sound if _is_said_in(each, allowed, goal, context)]
     if not said:
         return False
     named = (_letters(goal) | names) & context.definitions.keys() - own.keys()
@@ -123,9 +152,39 @@ def comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> b
         using = [x for x in said if not constant or not _letters(x) & scalars - free]
         bare = _without(free, context)
         for basis in bases or (None,):
-            if _same(goal, using, replace(bare, basis=basis)):
+            there = replace(bare, basis=basis)
+            if any(_same(goal, each, there) for each in _selections(goal, using, tying)):
                 return True
     return False
+
+
+def _selections(
+    goal: Statement, said: list[Statement], tying: frozenset[Letter]
+) -> Iterator[list[Statement]]:
+    """What was said in the letters of a goal; with what ties them; exactly; each of its head alone.
+
+    Any of these is enough, and what else was said may not go together with the others everywhere.
+    """
+    plain_said = [x for x in said if not _letters(x) & tying]
+    yield plain_said
+    if len(plain_said) < len(said):
+        yield said
+    nearly = [x for x in said if {*x.relations} & {*NEARLY}]
+    if nearly and not {*goal.relations} & {*NEARLY}:
+        yield [x for x in said if x not in nearly]
+    spoken = n.letters(goal.sides[0])
+    alone = [[x] for x in said if spoken <= _letters(x)] if len(said) > 1 else []
+    yield from reversed(alone)
+
+
+def _axes(context: Context) -> frozenset[Letter]:
+    """The names of the unit vectors along which components may be meant."""
+    columns = [basis[:, k] for basis in context.bases for k in range(3)]
+    return frozenset(
+        x
+        for x, definition in context.definitions.items()
+        if x.bold and isinstance(definition.node, Meant) and definition.node.value in columns
+    )
 
 
 def _without(letters: frozenset[Letter], context: Context) -> Context:
@@ -181,10 +240,14 @@ def _jets(expression: Expr) -> set[Letter]:
 
 
 def _also_called(letters: frozenset[Letter], said: Iterable[Statement]) -> frozenset[Letter]:
-    """Letters that are said to be equal to some, as p_φ is in p_φ = L_z."""
+    """Letters that are said to be made of some: p_φ in p_φ = L_z, or p_ψ in p_ψ = λ₃ ω₃."""
     equal = (x.sides for x in said if x.relations == ("=",))
     ties = (x for a, b in equal for x in ((a, b), (b, a)))
-    return frozenset(b for a, b in ties if a in letters and isinstance(b, Letter) and not b.bold)
+    return frozenset(
+        b
+        for a, b in ties
+        if isinstance(b, Letter) and not b.bold and (made := n.letters(a)) and made <= letters
+    )
 
 
 def _same(goal: Statement, said: Sequence[Statement], context: Context) -> bool | None:
@@ -199,6 +262,7 @@ def _same(goal: Statement, said: Sequence[Statement], context: Context) -> bool 
             given += _gaps(each, context)
     if any(isinstance(side, n.Constant) for side in goal.sides):
         given += [slope for gap in given if (slope := rate(gap, context.habits.moving)) != 0]
+    given += [*_rates_in_time(given, asked, context)]
     for node in context.not_zero:
         with suppress(UnclearError):
             apart.append(Meaning(context, Memory()).scalar(node))
@@ -208,12 +272,24 @@ def _same(goal: Statement, said: Sequence[Statement], context: Context) -> bool 
     letters = w.symbols_of(flat)
     if w.found([], letters).holds([(gap, 0 * gap) for gap in asked]):
         return None
-    here = w.found(given, letters, (), apart)
+    may_vanish = context.habits.moving if n.Number("0") in goal.sides else ()
+    here = w.found(given, letters, may_vanish, apart)
     if not here.holds([(gap, 0 * gap) for gap in asked]):
         return False
     # Where a product vanishes it may be for another factor.
     size = Rational(7, 10)
-    return not any(w.found([*given, gap - size], letters, (), apart).count for gap in asked)
+    return not any(w.found([*given, gap - size], letters, may_vanish, apart).count for gap in asked)
+
+
+def _rates_in_time(
+    given: Sequence[Expr], asked: Sequence[Expr], context: Context
+) -> Iterator[Expr]:
+    """The rates of motions that are given in time, as far as the goal speaks of rates."""
+    order = max((jet.order for gap in asked for jet in jets(gap).values()), default=0)
+    motions = [gap for gap in given if gap.has(TIME)]
+    for _ in range(order):
+        motions = [rate(gap, context.habits.moving) for gap in motions]
+        yield from motions
 
 
 def _without_bars(expression: Expr, context: Context) -> Expr:
@@ -274,13 +350,28 @@ def head(node: Node) -> Node:
     return node
 
 
-def _is_said_in(each: Statement, allowed: frozenset[Letter], goal: Statement) -> bool:
-    """Whether a statement has letters that may stand in the goal, and no derivative but there."""
+def _is_said_in(
+    each: Statement, allowed: frozenset[Letter], goal: Statement, context: Context
+) -> bool:
+    """Whether a statement has letters that may stand in the goal, and no derivative but there.
+
+    That something is constant may be said of ∂ℒ/∂φ̇, in which no other letters are left.
+    """
     if not {*each.relations} <= {*EQUALS, *NEARLY}:
         return False
     derived = (n.Derivative, n.Integral, n.Total)
     of_goal = any(isinstance(x, derived) for side in goal.sides for x in n.walked(side))
-    of_goal |= any(isinstance(side, n.Constant) for side in goal.sides)  # a rate that vanishes
-    if not of_goal and any(isinstance(x, derived) for s in each.sides for x in n.walked(s)):
+    constant = any(isinstance(side, n.Constant) for side in goal.sides)  # a rate that vanishes
+    if not (of_goal or constant) and any(
+        isinstance(x, derived) for s in each.sides for x in n.walked(s)
+    ):
         return False
-    return _letters(each) - ALWAYS <= allowed
+    if _letters(each) - ALWAYS <= allowed:
+        return True
+    if not constant:
+        return False
+    try:
+        spoken = {x for gap in _gaps(each, context) for x in _jets(gap)}
+    except UnclearError:
+        return False
+    return bool(spoken) and spoken <= allowed

@@ -14,6 +14,7 @@ from rigidtop.judge.context import Context
 from rigidtop.judge.letters import INFINITY
 from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time
 from rigidtop.judge.reading import Read
+from rigidtop.judge.sides import ZERO
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import declared_letters, situation
 from rigidtop.mark.angles import with_angles
@@ -73,7 +74,7 @@ def asserted(
             at = replace(at, cues=at.cues - {Cue.SMALL, Cue.APPROXIMATED} | {Cue.LARGE})
         statement, time = at_one_time(names.in_facts(each), moving)
         at = replace(at, instant=at.instant if time is None else instant_at(time))
-        yield position, statement, replace(at, closed=True)
+        yield position, statement, replace(at, closed=True, named=_names_case(passage, each))
 
 
 _END = re.compile(r"[\s.]*\\(?:square|blacksquare|Box|qed|checkmark)[\s.]*")
@@ -121,6 +122,21 @@ def _goes_on(source: str, begun: Passage, passage: Passage) -> bool:
 def _is_supposed(passage: Passage, each: Statement) -> bool:
     """Whether letters are given a number in the first statement of a sentence that supposes."""
     return bool(_SUPPOSE.match(passage.before)) and _is_value(passage, each)
+
+
+_CASE = re.compile(
+    r"\b(?:if|for|at|when|where|while|unless|except|either|or|case|even|only"
+    r"|wenn|falls|für|bei|wo|nur|entweder|oder|fall|si|pour|où|quand|cas)\W*\Z",
+    re.I,
+)
+"""Words directly before a formula that names a case."""
+
+
+def _names_case(passage: Passage, each: Statement) -> bool:
+    """Whether it vanishes where a case is named: "fine for cos θ = 0", or first in an item."""
+    vanishes = {*each.relations} == {"="} and each.sides[-1] == ZERO and not passage.display
+    item = bool(passage.scope) and passage.scope[-1] < 0 and not passage.before.strip("-*•: ")
+    return vanishes and (item or _CASE.search(passage.before) is not None)
 
 
 def _is_value(passage: Passage, each: Statement) -> bool:
