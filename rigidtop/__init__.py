@@ -20,8 +20,10 @@ if TYPE_CHECKING:
     from rigidtop.motion.top import HeavyTop
     from rigidtop.motion.top_fit import TopFit
     from rigidtop.motion.trajectory import Trajectory
+    from rigidtop.system.fit import SystemFit
     from rigidtop.system.friction import DryFriction
     from rigidtop.system.linkage import Joint, Link
+    from rigidtop.system.many import SystemMotions
     from rigidtop.system.mechanism import Mechanism
     from rigidtop.system.motion import SystemMotion
     from rigidtop.system.parts import Body, Mass
@@ -50,7 +52,9 @@ __all__ = [
     "SlidingTop",
     "SlidingTrajectory",
     "System",
+    "SystemFit",
     "SystemMotion",
+    "SystemMotions",
     "SystemSection",
     "SystemTrajectory",
     "TopFit",
@@ -75,8 +79,10 @@ _ROOMS = {
     "motion.top": ("HeavyTop",),
     "motion.top_fit": ("TopFit",),
     "motion.trajectory": ("Trajectory",),
+    "system.fit": ("SystemFit",),
     "system.friction": ("DryFriction",),
     "system.linkage": ("Joint", "Link"),
+    "system.many": ("SystemMotions",),
     "system.mechanism": ("Mechanism",),
     "system.motion": ("SystemMotion",),
     "system.parts": ("Body", "Mass"),

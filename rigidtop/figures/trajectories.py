@@ -19,6 +19,7 @@ from rigidtop.figures.drawing import Film
 from rigidtop.figures.space import View
 from rigidtop.figures.style import STYLE, canvas
 from rigidtop.motion.rows import Rows
+from rigidtop.parameters import in_one_line
 from rigidtop.typeset.latex import letter
 from rigidtop.typeset.nodes import glyph
 
@@ -99,9 +100,9 @@ def compared(fit: Fit[Any], kind: str) -> bytes:
 
 def filmed(run: Any, path: str, duration: float | None) -> None:
     """See `rigidtop.system.motion.SystemTrajectory.animate`."""
-    kind = Path(path).suffix.removeprefix(".")
+    kind = Path(str(path)).suffix.removeprefix(".")
     if kind not in animation.KINDS:
-        raise RigidtopError(f"a film is a .gif or an .mp4, not {path}")
+        raise RigidtopError(f"a film is a .gif or an .mp4, not {in_one_line(path)}")
     places, attitudes = run.places(), run.attitudes()
     if len(run) < 2:
         raise RigidtopError("a film needs two times at least")

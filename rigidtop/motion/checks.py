@@ -64,7 +64,7 @@ def settle(body: object, check: Callable[[str, object], object], *names: str) ->
 def whole(name: str, value: object, least: int) -> int:
     """An integer, of Python or NumPy."""
     if not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least:
-        raise RigidtopError(f"{name} must be a whole number from {least}, not {value!r}")
+        raise RigidtopError(f"{name} must be a whole number from {least}, not {in_one_line(value)}")
     return int(value)
 
 

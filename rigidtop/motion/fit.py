@@ -101,6 +101,7 @@ def fit(
     moments = {"lambda1": lambda1, "lambda2": lambda2, "lambda3": lambda3}
     given = tuple(x if x is None else checks.positive(n, x) for n, x in moments.items())
     angles = {"theta": theta, "phi": phi, "psi": psi}
+    misalignment = checks.truth("misalignment", misalignment)
     if omega is None and attitude is None:
         if any(given) or misalignment:
             raise RigidtopError("moments and misalignment go with omega or attitude of a free body")

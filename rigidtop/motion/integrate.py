@@ -32,6 +32,7 @@ from rigidtop.motion import checks
 from rigidtop.motion.attitude import Complexes, Floats, spinors
 from rigidtop.motion.equations import Rates
 from rigidtop.motion.systems import Sizes
+from rigidtop.parameters import in_one_line
 
 Method = Literal["DOP853", "RK45", "RK23", "Radau", "BDF", "LSODA"]
 TAYLOR = "taylor"
@@ -71,8 +72,8 @@ class Accuracy:
     atol: float = 1e-12
 
     def __post_init__(self) -> None:
-        if self.method not in METHODS:
-            raise RigidtopError(f"unknown method {self.method!r}: {', '.join(METHODS)}")
+        if str(self.method) not in METHODS:
+            raise RigidtopError(f"unknown method {in_one_line(self.method)}: {', '.join(METHODS)}")
         smallest = ROUNDING if self.method == TAYLOR else SMALLEST_RTOL
         object.__setattr__(self, "rtol", checks.number("rtol", self.rtol))
         object.__setattr__(self, "atol", checks.positive("atol", self.atol))
@@ -161,9 +162,9 @@ def _stages(problem: Problem, end: float, accuracy: Accuracy) -> Iterator[Flow]:
         nonlocal calls, before
         calls += 1
         if calls % CALLS == 0:
-            if hint and abs(time - before) < STUCK * abs(end):
+            if abs(time - before) < STUCK * abs(end if hint else time):
                 raise RigidtopError(
-                    f"the integration got stuck at t = {time:g} on the way to {end:g}{hint}"
+                    f"the integration stopped at t = {time:g} on the way to {end:g}: stuck{hint}"
                 )
             before = time
         return rates(state.tolist())  # plain floats: several times faster than NumPy's

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigidtop.errors import RigidtopError
+from rigidtop.parameters import in_one_line
 from rigidtop.terminal.files import write_whole
 
 if TYPE_CHECKING:
@@ -134,9 +135,10 @@ class Rows(ABC):
         """A column with its header.  Raises RigidtopError for a name that is none."""
         columns = self.columns()
         for header, values in columns.items():
-            if name in (header, _name(header)):
+            if str(name) in (header, _name(header)):
                 return header, values
-        raise RigidtopError(f"no column {name!r}: there are {', '.join(map(_name, columns))}")
+        there = ", ".join(map(_name, columns))
+        raise RigidtopError(f"no column {in_one_line(name)}: there are {there}")
 
 
 def _name(header: str) -> str:

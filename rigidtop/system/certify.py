@@ -12,6 +12,7 @@ from sympy import Expr
 from rigidtop.codegen.graph import somewhere
 from rigidtop.codegen.lines import straight_line
 from rigidtop.errors import RigidtopError
+from rigidtop.motion import checks
 from rigidtop.system.balance import Balance, Balanced
 from rigidtop.system.names import numbers
 
@@ -26,7 +27,7 @@ def certify(system: Computed, parameters: Mapping[Expr, object], seed: int = 0) 
     """See `System.certify`."""
     values = [float(x) for x in numbers(system.parameters, parameters).values()]
     n = len(system.q)
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(checks.whole("seed", seed, 0))
     rows = rng.uniform(-1.0, 1.0, (2 * n, STATES))
     times = rng.uniform(0.0, 1.0, STATES)
     with np.errstate(all="ignore"):

@@ -15,7 +15,8 @@ from sympy.core.function import AppliedUndef
 from rigidtop.codegen.graph import Direction, Graph, somewhere
 from rigidtop.codegen.nodes import ONE, ZERO
 from rigidtop.errors import RigidtopError
-from rigidtop.system.names import Given, Names, expression, own_functions
+from rigidtop.parameters import in_one_line
+from rigidtop.system.names import Given, Names, expression, own_functions, several
 
 
 def acting(forces: Given, q: Given) -> tuple[Expr, ...]:
@@ -26,13 +27,11 @@ def acting(forces: Given, q: Given) -> tuple[Expr, ...]:
         unknown = [x for x in forces if x not in tuple(q)]
         if unknown:
             raise RigidtopError(
-                f"a force on {unknown[0]}, which is none of the coordinates "
+                f"a force on {in_one_line(unknown[0])}, which is none of the coordinates "
                 f"{', '.join(map(str, q))}"
             )
         forces = [forces.get(x, 0) for x in q]
-    if isinstance(forces, (Expr, int, float)):
-        forces = [forces]
-    return tuple(expression("a force", each) for each in forces)
+    return tuple(expression("a force", each) for each in several(forces))
 
 
 def with_time(names: Names, letters: Iterable[Symbol], q: Sequence[Expr]) -> Names:

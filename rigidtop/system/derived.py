@@ -16,6 +16,7 @@ from rigidtop.codegen.lines import StraightLine, straight_line
 from rigidtop.codegen.nodes import ZERO, Value
 from rigidtop.codegen.solve import SingularError, solved
 from rigidtop.errors import RigidtopError
+from rigidtop.parameters import in_one_line
 from rigidtop.proof import decide
 from rigidtop.system.balance import Balance, Balanced
 from rigidtop.system.declaration import (
@@ -30,13 +31,7 @@ from rigidtop.system.declaration import (
 )
 from rigidtop.system.forms import LARGEST, expanded, grouped, over, readable, short
 from rigidtop.system.friction import DryFriction, apart
-from rigidtop.system.names import (
-    Given,
-    Names,
-    expression,
-    multipliers,
-    named,
-)
+from rigidtop.system.names import Given, Names, expression, multipliers, named, several
 from rigidtop.system.parts import Assembly, Part, kinetic_energy
 
 SMALL = 750
@@ -82,9 +77,7 @@ class Derived:
         parts: Sequence[Part] = (),
     ) -> None:
         L, rayleigh = expression("L", L), expression("rayleigh", rayleigh)
-        if isinstance(constraints, (Expr, sympy.Eq)):
-            constraints = (constraints,)
-        rules = tuple(expression("a constraint", each) for each in constraints)
+        rules = tuple(expression("a constraint", each) for each in several(constraints))
         coordinates = (q,) if isinstance(q, Expr) else q
         forces, friction = apart(forces)
         pushing = acting(forces, coordinates)
@@ -475,6 +468,17 @@ class Derived:
         """With the momenta's letters, if there are any, written out."""
         values = dict(zip(self.names.p, self.conjugate, strict=True))
         return self._own(quantity).xreplace(values)
+
+    def varying(self, what: str, given: Given) -> Expr:
+        """A quantity that changes, as `quantity`.  Raises RigidtopError for one that can't."""
+        plain, names = self.quantity(expression(what, given)), self.names
+        if plain.free_symbols <= {*self.parameters}:
+            there = ", ".join(map(names.spelled, (*names.q, *names.v)))
+            raise RigidtopError(
+                f"{what} is {in_one_line(given)}, which no motion changes: "
+                f"give an expression of {there} or the time"
+            )
+        return plain
 
     def _own(self, quantity: Expr) -> Expr:
         """A quantity, plain.  Raises RigidtopError where a letter only looks like the system's."""

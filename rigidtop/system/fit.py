@@ -21,7 +21,7 @@ from rigidtop.motion.attitude import Floats
 from rigidtop.motion.least_squares import Fit, Model, solved, told
 from rigidtop.parameters import in_one_line
 from rigidtop.system.motion import SystemMotion
-from rigidtop.system.names import Given, as_assumed, expression
+from rigidtop.system.names import Given, as_assumed, mapping
 from rigidtop.system.numeric import Computed
 from rigidtop.system.sensitivities import check_smooth, letter_of
 
@@ -232,9 +232,9 @@ def fitted(
     system: Computed,
     t: ArrayLike,
     measured: Mapping[Expr, ArrayLike],
-    parameters: Mapping[Expr, object],
-    start: Mapping[Expr, object],
-    known: Mapping[Expr, object],
+    parameters: Mapping[Expr, object] | None,
+    start: Mapping[Expr, object] | None,
+    known: Mapping[Expr, object] | None,
     sigma: Given,
     starts: int,
     how: Mapping[str, Any],
@@ -283,7 +283,7 @@ def _columns(system: Computed, measured: Given, times: Floats) -> dict[str, tupl
         )
     made = {}
     for key, values in measured.items():
-        plain = system.quantity(expression("what was measured", key))
+        plain = system.varying("what was measured", key)
         name = system.names.spelled(plain) if isinstance(plain, Symbol) else str(key)
         column = checks.numbers(f"what was measured of {name}", values)
         if column.shape != times.shape:
@@ -297,12 +297,10 @@ def _columns(system: Computed, measured: Given, times: Floats) -> dict[str, tupl
 
 
 def _by_letter(
-    system: Computed, what: str, given: Mapping[Expr, object], letters: Sequence[Symbol]
+    system: Computed, what: str, given: Mapping[Expr, object] | None, letters: Sequence[Symbol]
 ) -> dict[Symbol, Any]:
-    if not isinstance(given, Mapping):
-        raise RigidtopError(f"{what} is given as {{symbol: value}}, not {in_one_line(given)}")
     made = {}
-    for key, value in given.items():
+    for key, value in mapping(f"{what} is given as {{symbol: value}}", given).items():
         try:
             letter = letter_of(system, key)
         except RigidtopError:
@@ -315,7 +313,9 @@ def _by_letter(
 
 
 def _ranges(
-    system: Computed, parameters: Mapping[Expr, object], known: Mapping[Expr, object]
+    system: Computed,
+    parameters: Mapping[Expr, object] | None,
+    known: Mapping[Expr, object] | None,
 ) -> tuple[dict[Symbol, Range], dict[Symbol, float]]:
     """Where free parameters are looked for, and the numbers of the others."""
     asked = _by_letter(system, "parameters", parameters, system.parameters)

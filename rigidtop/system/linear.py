@@ -19,7 +19,7 @@ from rigidtop.parameters import in_one_line
 from rigidtop.proof import decide
 from rigidtop.system.balance import Balance
 from rigidtop.system.forms import LARGEST, PRINTED, short
-from rigidtop.system.names import Given, expression
+from rigidtop.system.names import Given, expression, mapping
 from rigidtop.theory.trig import reduce_ratio
 
 if TYPE_CHECKING:
@@ -110,15 +110,14 @@ def place_of(system: Derived, about: Mapping[Expr, object], others: Sequence[Exp
     `others` are letters besides coordinates and velocities that may have a value.
     """
     names = system.names
-    if not isinstance(about, Mapping):
-        raise RigidtopError(f"a motion is given as {{coordinate: value}}, not {in_one_line(about)}")
+    about = mapping("a motion is given as {coordinate: value}", about)
     place = dict.fromkeys(names.v, sympy.S.Zero)
     known = {str(x): x for x in others}
     for key, value in about.items():
         symbol = names.find(key) or known.get(str(key))
         symbol = symbol or names.plain(expression("a coordinate", key))
         if symbol not in (*names.q, *names.v, *others):
-            raise RigidtopError(f"{key} is none of the coordinates and velocities")
+            raise RigidtopError(f"{in_one_line(key)} is none of the coordinates and velocities")
         place[symbol] = names.plain(expression(f"the value of {key}", value))
     return place
 

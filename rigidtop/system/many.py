@@ -17,7 +17,7 @@ from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import TAYLOR, Accuracy, sides
 from rigidtop.system.friction import refuse
 from rigidtop.system.motion import SystemMotion
-from rigidtop.system.names import Given, as_assumed, numbers
+from rigidtop.system.names import Given, as_assumed, mapping, numbers
 from rigidtop.system.numeric import Computed
 from rigidtop.system.start import TOO_SMALL, row, sizes, with_units
 
@@ -32,10 +32,11 @@ Together = Callable[[NDArray[np.intp], Floats, Accuracy], Floats]
 def many(system: Computed, parameters: Given, q: Given, qdot: Given) -> SystemMotions:
     """See `System.motions`."""
     refuse(system.friction, "motions(…)", "take motion(…) for one start after the other")
-    if not isinstance(parameters, Mapping):
-        numbers(system.parameters, parameters)  # complains
+    parameters = mapping("parameters are given as {symbol: number}", parameters)
     given = [*parameters.items(), *row(system, "q", q).items(), *row(system, "qdot", qdot).items()]
     arrays = [(str(x), checks.numbers(str(x), value)) for x, value in given]
+    firsts = (next(value.flat, 1.0) for _, value in arrays)
+    numbers(system.parameters, dict(zip(parameters, firsts, strict=False)))  # complains
     shape = checks.common_shape(dict(arrays))
     flat = [np.broadcast_to(value, shape).ravel() + 0.0 for _, value in arrays]
     count, n = len(parameters), len(system.q)
@@ -47,9 +48,8 @@ def many(system: Computed, parameters: Given, q: Given, qdot: Given) -> SystemMo
 
 
 def _in_order(system: Computed, parameters: Mapping[Expr, Floats]) -> list[Floats]:
-    """K numbers for each parameter of the system.  Raises RigidtopError as `numbers` does."""
+    """K numbers for each parameter of the system.  Raises RigidtopError as `as_assumed` does."""
     given = {str(getattr(key, "name", key)): values for key, values in parameters.items()}
-    numbers(system.parameters, {name: next(iter(x), 1.0) for name, x in given.items()})
     rows = [given[letter.name] for letter in system.parameters]
     for letter, values in zip(system.parameters, rows, strict=True):
         for value in _telling(letter, values):
@@ -131,7 +131,7 @@ class SystemMotions(Sequence[SystemMotion]):
         times = checks.times(t)
         if not len(self):
             raise RigidtopError("there are no motions: an array that was given is empty")
-        accuracy = Accuracy(method or self.system.numeric.method, rtol, atol)
+        accuracy = self.system.numeric.accuracy(method, rtol, atol)
         together = self._together(accuracy.method)
         size = AT_ONCE if together else 1
         found = np.empty((len(times), 2 * len(self.q), len(self)))
@@ -157,7 +157,7 @@ class SystemMotions(Sequence[SystemMotion]):
         >>> springs.way("DOP853"), springs.way("Radau")
         ('DOP853 on arrays of 2048', 'Radau, one after the other')
         """
-        method = Accuracy(method or self.system.numeric.method).method
+        method = self.system.numeric.accuracy(method).method
         if not self._together(method):
             return f"{method}, one after the other"
         if method == TAYLOR:
@@ -166,7 +166,8 @@ class SystemMotions(Sequence[SystemMotion]):
 
     def _together(self, method: str) -> Together | None:
         """What gives the states of motions together, NaN where it does not, if anything does."""
-        if self.system.constraints:  # to which each is brought back on its own
+        # Each is brought back to constraints, and seen to be stuck, on its own.
+        if self.system.constraints or self.system.switches:
             return None
         if method == "DOP853":
             return self._abreast

@@ -10,18 +10,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from sympy import Expr, sign
+from sympy import Expr
 
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import Accuracy, Flow, Held, Problem, flow, on_both_sides
 from rigidtop.motion.systems import Sizes
-from rigidtop.parameters import in_one_line
 from rigidtop.system.events import Watched, Zeros, joined_zeros, zeros
 from rigidtop.system.friction import refuse
 from rigidtop.system.held import Surface
-from rigidtop.system.names import Given, expression, numbers
+from rigidtop.system.names import Given, expression, mapping, numbers
 from rigidtop.system.numeric import Computed, computed
 from rigidtop.system.slipping import Slipping
 from rigidtop.system.start import SystemStart, at_its_size, least_size, row, sizes, with_units
@@ -39,7 +38,7 @@ UNTIL = ""
 
 
 def started(
-    system: Computed, parameters: Mapping[Expr, object], q: Given, qdot: Given
+    system: Computed, parameters: Mapping[Expr, object] | None, q: Given, qdot: Given
 ) -> SystemMotion:
     """See `System.motion`."""
     values = numbers(system.parameters, parameters).values()
@@ -87,11 +86,8 @@ class SystemMotion(SystemStart):
         start = np.array([*self.q, *self.qdot, *([0.0] * self.more)])
         if self.system.friction:
             start = self._slipping.begun(0.0, start, False)
-        if not isinstance(events or {}, Mapping):
-            raise RigidtopError(
-                f"events are given as {{name: quantity}}, not {in_one_line(events)}"
-            )
-        wanted = {name: self._watched(f"the event {name}", x) for name, x in (events or {}).items()}
+        events = mapping("events are given as {name: quantity}", events)
+        wanted = {name: self._watched(f"the event {name}", x) for name, x in events.items()}
         if until is not None:
             wanted[UNTIL] = self._watched("until", until)
         seen: dict[str, list[Zeros]] = {name: [] for name in wanted}
@@ -153,7 +149,8 @@ class SystemMotion(SystemStart):
         >>> spring.section(x, 10.0, direction=1).t.round(4)
         array([4.7124])
         """
-        method, watched = method or self.system.numeric.method, {"section": (quantity, direction)}
+        method = self.system.numeric.accuracy(method, rtol, atol).method
+        watched = {"section": (quantity, direction)}
         run = self.integrate(np.append(0.0, checks.times(t)), method, rtol, atol, watched)
         return run.crossings["section"]
 
@@ -174,7 +171,7 @@ class SystemMotion(SystemStart):
         from rigidtop.system.lyapunov import lyapunov
 
         refuse(self.system.friction, "a Lyapunov exponent")
-        accuracy = Accuracy(method or self.system.numeric.method, rtol, atol)
+        accuracy = self.system.numeric.accuracy(method, rtol, atol)
         start = *self.q, *self.qdot
         return lyapunov(self.system, self.parameters, start, t, accuracy, self.keeps_signs)
 
@@ -242,8 +239,10 @@ class SystemMotion(SystemStart):
         """A quantity as a function of times (N,) and states (…, N), and the direction."""
         system, n = self.system, len(self.q)
         given, direction = given if isinstance(given, tuple) and len(given) == 2 else (given, 0)
-        if direction not in (-1, 0, 1):
+        if checks.number(f"the direction of {name}", direction) not in (-1, 0, 1):
             raise RigidtopError(f"the direction of {name} is +1, −1 or 0, not {direction}")
+        if name == "until":
+            system.varying(name, given)  # a number there is meant as a time
         made = system.numeric.of((system.quantity(expression(name, given)),))
 
         def value(times: Floats, states: Floats) -> Floats:
@@ -271,8 +270,7 @@ class SystemMotion(SystemStart):
         held = partial(self._held, begin) if self.system.constraints else None
         series = partial(self._taylor, start, unit, held)
         own = sizes if held is None else lambda _: unit
-        signs = any(Q.has(sign) for Q in self.system.generalised_forces)
-        hint = STICKS if signs else ""
+        hint = STICKS if self.system.switches else ""
         return flow(Problem(self.rates_at, start, own, series, held, hint), end, accuracy)
 
     @cached_property

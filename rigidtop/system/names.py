@@ -246,15 +246,31 @@ def expression(what: str, given: Given) -> Expr:
         given = given.lhs - given.rhs
     try:
         made = sympy.sympify(given, strict=True)
-    except sympy.SympifyError:
+    except (sympy.SympifyError, TypeError):
         made = None
-    if not isinstance(made, Expr):
+    if not isinstance(made, Expr) or made.is_Matrix:
         raise RigidtopError(f"{what} must be an expression of SymPy, not {in_one_line(given)}")
     if made.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo):
         raise RigidtopError(f"{what} must be finite, not {in_one_line(given)}")
     if made.has(sympy.I):
         raise RigidtopError(f"{what} must be real, not {in_one_line(given)}")
     return made
+
+
+def several(given: Given) -> tuple[Any, ...]:
+    """What is given, one after the other; itself alone where it is one thing, such as a text."""
+    try:
+        return (given,) if isinstance(given, (str, bytes)) else tuple(given)
+    except TypeError:
+        return (given,)
+
+
+def mapping(said: str, given: Given) -> Mapping[Any, Any]:
+    """What is given by name or symbol; nothing for None.  Raises RigidtopError for what is not."""
+    given = {} if given is None else given
+    if not isinstance(given, Mapping):
+        raise RigidtopError(f"{said}, not {in_one_line(given)}")
+    return given
 
 
 def own_functions(expressions: Sequence[Expr]) -> Iterator[Expr]:
@@ -287,15 +303,14 @@ def numbers(letters: Sequence[Symbol], given: Given) -> dict[Expr, Expr]:
 
     Raises RigidtopError for one that is missing, unknown, or not what the symbol is assumed to be.
     """
-    if not isinstance(given, Mapping):
-        raise RigidtopError(f"parameters are given as {{symbol: number}}, not {in_one_line(given)}")
+    given = mapping("parameters are given as {symbol: number}", given)
     known = {x.name: x for x in letters}
     found: dict[str, Expr] = {}
     for key, value in given.items():
         name = str(getattr(key, "name", key))
         if name not in known:
             there = f"there are {', '.join(known)}" if known else "there are none"
-            raise RigidtopError(f"no parameter {key!s}: {there}")
+            raise RigidtopError(f"no parameter {in_one_line(key)}: {there}")
         number = checks.number(name, value)
         as_assumed(known[name], number)
         found[name] = sympy.Float(repr(number), WRITTEN)

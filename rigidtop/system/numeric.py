@@ -25,7 +25,7 @@ from rigidtop.codegen.numpy import Function
 from rigidtop.codegen.sizes import with_sizes
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import taylor
-from rigidtop.motion.integrate import TAYLOR
+from rigidtop.motion.integrate import TAYLOR, Accuracy
 from rigidtop.system.balance import Balance
 from rigidtop.system.canonical import Canonical
 from rigidtop.system.names import own_functions
@@ -341,6 +341,12 @@ class Numeric:
             rows = []
         return TAYLOR if rows else "DOP853"
 
+    def accuracy(
+        self, method: str | None = None, rtol: float = 1e-10, atol: float = 1e-12
+    ) -> Accuracy:
+        """How a solver is to work, by `method` where none is named."""
+        return Accuracy(self.method if method is None else method, rtol, atol)
+
     @cached_property
     def _in_series(self) -> tuple[list[Any], int]:
         """The equations in heyoka's symbols, and how many parameters they have."""
@@ -397,6 +403,11 @@ class Computed(Canonical):
     def numeric(self) -> Numeric:
         """Functions of numbers."""
         return Numeric(self)
+
+    @cached_property
+    def switches(self) -> bool:
+        """Whether a force jumps with a sign."""
+        return any(Q.has(sympy.sign) for Q in self.generalised_forces)
 
     @cached_property
     def slip(self) -> Symbol:

@@ -14,8 +14,7 @@ from sympy import Expr, Integer, Matrix, MatrixBase, Rational
 
 from rigidtop.codegen.graph import Graph, somewhere
 from rigidtop.errors import RigidtopError
-from rigidtop.parameters import in_one_line
-from rigidtop.system.names import Given, Names, expression
+from rigidtop.system.names import Given, Names, expression, several
 from rigidtop.theory.rotation import vee
 from rigidtop.theory.trig import reduce_trig
 
@@ -117,10 +116,9 @@ def checked_attitude(given: Given) -> MatrixBase:
 
 def checked_inertia(given: Given) -> MatrixBase:
     """The tensor (3×3)."""
-    rows = given.tolist() if isinstance(given, MatrixBase) else given
-    if not hasattr(rows, "__len__") or len(rows) != 3:
-        count = len(rows) if hasattr(rows, "__len__") else in_one_line(given)
-        raise RigidtopError(f"a body has three principal moments, not {count}")
+    rows = given.tolist() if isinstance(given, MatrixBase) else several(given)
+    if len(rows) != 3:
+        raise RigidtopError(f"a body has three principal moments, not {len(rows)}")
     if not any(hasattr(row, "__len__") for row in rows):
         return sympy.ImmutableMatrix.diag(*(expression("a moment", x) for x in rows))
     if any(not hasattr(row, "__len__") or len(row) != 3 for row in rows):
@@ -133,11 +131,10 @@ def checked_inertia(given: Given) -> MatrixBase:
 
 def checked_place(given: Given) -> MatrixBase:
     """Three components."""
-    if isinstance(given, (str, bytes)) or not hasattr(given, "__len__"):
-        raise RigidtopError(f"a place has two or three components, not {in_one_line(given)}")
-    row = [expression("a component", x) for x in given]
+    row = several(given)
     if len(row) not in (2, 3):
         raise RigidtopError(f"a place has two or three components, not {len(row)}")
+    row = tuple(expression("a component", x) for x in row)
     return sympy.ImmutableMatrix([*row, Integer(0)][:3])
 
 

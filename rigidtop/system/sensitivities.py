@@ -20,7 +20,7 @@ from rigidtop.motion.rows import Rows
 from rigidtop.motion.systems import Sizes
 from rigidtop.parameters import in_one_line
 from rigidtop.system.held import Surface
-from rigidtop.system.names import Given, expression
+from rigidtop.system.names import Given, expression, several
 from rigidtop.system.numeric import Computed, computed
 from rigidtop.system.start import HOLDS, SystemStart, at_its_size, least_size, sizes
 from rigidtop.system.trajectory import header
@@ -255,8 +255,7 @@ def letter_of(system: Computed, given: Given) -> Symbol:
 
 def letters_of(system: Computed, by: Given) -> tuple[Symbol, ...]:
     """Those of a row, or of one.  Raises RigidtopError."""
-    row = [by] if isinstance(by, (str, Expr)) or not np.iterable(by) else list(by)
-    letters = tuple(letter_of(system, each) for each in row)
+    letters = tuple(letter_of(system, each) for each in several(by))
     if not letters:
         raise RigidtopError("derivatives by what? by = a row of parameters and coordinates")
     for x in letters:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from rigidtop.codegen import languages
 from rigidtop.codegen.values import Value, Values
 from rigidtop.errors import RigidtopError
+from rigidtop.parameters import in_one_line
 from rigidtop.proof.equation import Equation
 from rigidtop.system.friction import refuse
 from rigidtop.system.names import lettered, like
@@ -20,9 +21,10 @@ if TYPE_CHECKING:
 def source(system: Derived, language: str, name: str) -> str:
     """See `System.source`."""
     refuse(system.friction, "a source file", "a program of one's own has to switch as it lets go")
-    if language not in languages.LANGUAGES:
+    if language not in tuple(languages.LANGUAGES):
         there = ", ".join(languages.LANGUAGES)
-        raise RigidtopError(f"no language {language!r}: there are {there}")
+        raise RigidtopError(f"no language {in_one_line(language)}: there are {there}")
+    name = str(name)
     if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name):
         raise RigidtopError(f"{name!r} is no name for a function: give it letters, digits and _")
     names, program = system.names, system.program

@@ -15,7 +15,8 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import Accuracy, Flow
 from rigidtop.motion.systems import Sizes
-from rigidtop.system.names import Given
+from rigidtop.parameters import in_one_line
+from rigidtop.system.names import Given, several
 from rigidtop.system.numeric import Computed, computed
 
 HOLDS = 1e-9
@@ -132,14 +133,14 @@ def row(system: Computed, what: str, given: Given) -> dict[Symbol, Any]:
         for key, value in given.items():
             place = _place(key, letters, system)
             if place is None:
-                raise RigidtopError(f"{what} has {key!s}, which is none of {shown}")
+                raise RigidtopError(f"{what} has {in_one_line(key)}, which is none of {shown}")
             places[place] = value
         missing = [x.name for k, x in enumerate(letters) if k not in places]
         if missing and what == "q":
             raise RigidtopError(f"q has no number for {', '.join(missing)}")
         values = [places.get(k, 0.0) for k in range(len(letters))]
     else:
-        values = list(given) if np.iterable(given) and not isinstance(given, str) else [given]
+        values = [*several(given)]
     if len(values) != len(letters):
         raise RigidtopError(f"{what} has {len(values)} numbers, for {shown}")
     return dict(zip(letters, values, strict=True))

@@ -16,7 +16,7 @@ from rigidtop.parameters import in_one_line
 from rigidtop.system.forms import short
 from rigidtop.system.friction import refuse
 from rigidtop.system.linkage import Linkage, Tree
-from rigidtop.system.names import Given, expression
+from rigidtop.system.names import Given, expression, several
 from rigidtop.system.numeric import Computed
 from rigidtop.system.parts import Body, Mass, potential_energy
 
@@ -87,10 +87,9 @@ class System(Computed):
         >>> System.of_parts(bob, theta, omega, gravity=[0, -g]).L
         g*l*m*cos(theta) + l**2*m*omega**2/2
         """
-        given = (parts,) if isinstance(parts, (Mass, Body, Linkage)) else tuple(parts)
         g = Mass(1, (0, 0, 0) if gravity is None else gravity).place
         V, made = expression("V", V), []
-        for part in given:
+        for part in several(parts):
             if not isinstance(part, (Mass, Body, Linkage)):
                 raise RigidtopError(f"a part is a Mass or a Body, not {in_one_line(part)}")
             made.append(Tree(part, g) if isinstance(part, Linkage) else part)
@@ -273,7 +272,7 @@ class System(Computed):
         """
         from rigidtop.system.motion import started
 
-        return started(self, parameters or {}, q, qdot)
+        return started(self, parameters, q, qdot)
 
     def motions(
         self, parameters: Mapping[Expr, object] | None = None, q: Given = None, qdot: Given = None
@@ -289,7 +288,7 @@ class System(Computed):
         """
         from rigidtop.system.many import many
 
-        return many(self, parameters or {}, q, qdot)
+        return many(self, parameters, q, qdot)
 
     def fit(
         self,
@@ -337,6 +336,5 @@ class System(Computed):
         from rigidtop.system.fit import fitted
 
         refuse(self.friction, "a fit")
-        how = {"method": method or self.numeric.method, "rtol": rtol, "atol": atol}
-        given = (parameters or {}, start or {}, known or {})
-        return fitted(self, t, measured, *given, sigma, starts, how)
+        how = vars(self.numeric.accuracy(method, rtol, atol))
+        return fitted(self, t, measured, parameters, start, known, sigma, starts, how)

@@ -2,7 +2,21 @@
 
 import numpy as np
 import pytest
-from sympy import Eq, Function, Piecewise, Rational, Symbol, cos, gamma, oo, sin, symbols
+from scipy.spatial.transform import Rotation
+from sympy import (
+    Eq,
+    Function,
+    Matrix,
+    Piecewise,
+    Rational,
+    Symbol,
+    cos,
+    gamma,
+    oo,
+    sign,
+    sin,
+    symbols,
+)
 from sympy.physics.mechanics import dynamicsymbols
 
 import rigidtop as rt
@@ -20,6 +34,8 @@ ON_SPHERE = rt.System(
     [theta, Function("phi")(theta.args[0])],
 )
 NUMBERS = {m: 1, k: 2}
+RUN = SPRING.motion(NUMBERS, 1)
+TURN = Rotation.identity()
 
 
 @pytest.mark.parametrize(
@@ -81,6 +97,39 @@ NUMBERS = {m: 1, k: 2}
         (lambda: rt.Body(m, [[3, 1, 0], [0, 3, 0], [0, 0, 3]], [0, 0], None), "is symmetric"),
         (lambda: rt.Body(m, 3, [0, 0], None), "three principal moments"),
         (lambda: rt.System.of_parts([x], x, u), "a part is a Mass or a Body, not x"),
+        (lambda: rt.System.of_parts(x, x, u), "a part is a Mass or a Body, not x"),
+        (lambda: rt.Mass(m, TURN), "a place has two or three components, not 1"),
+        (lambda: rt.System({x: [1]}, x, u), "L must be an expression of SymPy, not {x"),
+        (lambda: rt.System(float, x, u), "L must be an expression of SymPy, not <class"),
+        (lambda: rt.System(Matrix([1, 2]), x, u), "L must be an expression of SymPy, not Matrix"),
+        (lambda: rt.System(u**2, x, u, forces=1j), "a force must be real, not 1j"),
+        (lambda: rt.System(u**2, x, u, forces={TURN: 1}), "a force on Rotation"),
+        (lambda: rt.System(u**2, x, u, constraints=None), "a constraint must be an expression"),
+        (lambda: rt.DryFriction(u, None, k), "normal of a DryFriction must be an expression"),
+        (lambda: SPRING.motion(np.zeros(2), 1), "parameters are given as {symbol: number}, not a"),
+        (lambda: SPRING.motion({TURN: 1}, 1), "no parameter Rotation"),
+        (lambda: SPRING.motion(NUMBERS, TURN), "x must be a number, not Rotation"),
+        (lambda: SPRING.motion(NUMBERS, {TURN: 1}), "q has Rotation"),
+        (lambda: SPRING.motions({x: [1, 2]}, 1), "no parameter x: there are k, m"),
+        (lambda: RUN.integrate(1, np.zeros(2)), r"unknown method array\(\[0., 0.\]\): DOP853"),
+        (lambda: RUN.integrate(1, events=Eq(x, 1)), r"events are given as .*, not Eq\(x, 1\)"),
+        (lambda: RUN.integrate(1, until=(x, [1])), r"the direction of until must be a number"),
+        (lambda: RUN.integrate(1, until=0.5), "until is 0.5, which no motion changes: give an exp"),
+        (lambda: RUN.integrate(1, until=k - 1), "until is k - 1, which no motion changes"),
+        (lambda: RUN.section(x, 1, method=np.zeros(2)), "unknown method array"),
+        (lambda: RUN.sensitivities(1, TURN), "no derivatives by Rotation"),
+        (lambda: RUN.integrate(1)[np.zeros(2)], r"no column array\(\[0., 0.\]\): there are t, x"),
+        (lambda: RUN.integrate(1).animate(1.5), "a film is a .gif or an .mp4, not 1.5"),
+        (
+            lambda: SPRING.fit([0, 1], {5: [0, 1]}),
+            "what was measured is 5, which no",
+        ),
+        (lambda: SPRING.fit([0, 1], {x: [0, 1]}, Eq(x, 1)), "parameters is given as {symbol: val"),
+        (lambda: rt.fit([0, 1], [[1, 2, 3]] * 2, misalignment=5), "misalignment must be True or F"),
+        (lambda: SPRING.linearise({x: Matrix([1, 2])}), "the value of x must be an expression"),
+        (lambda: SPRING.certify(NUMBERS, 0.5), "seed must be a whole number from 0, not 0.5"),
+        (lambda: SPRING.source([]), r"no language \[\]: there are python, c"),
+        (lambda: SPRING.source("c", 3), "'3' is no name for a function"),
     ],
 )
 def test_bad_input_is_one_line(made, said):
@@ -93,6 +142,27 @@ def test_what_runs_away_says_so():
     away = rt.System(m * u**2 / 2 + k * x**4, x, u)
     with pytest.raises(rt.RigidtopError, match="the integration stopped at t = "):
         away.motion(NUMBERS, 1).integrate(10)
+
+
+def test_a_pole_of_a_force_stops_each_solver():
+    """LSODA goes on there for ever, by steps of nothing."""
+    t = symbols("t")
+    at_pole = rt.System(u**2 / 2, x, u, forces=1 / (t - 1)).motion(q=1)
+    with pytest.raises(rt.RigidtopError, match="stopped at t = 1 on the way to 3: stuck"):
+        at_pole.integrate(3.0, "LSODA", 1e-12, 1e-14)
+
+
+def test_many_motions_that_get_stuck_say_so():
+    dry = rt.System(u**2 / 2, x, u, forces=-k * sign(u)).motions({k: 1}, q=[[0]], qdot=[[0.5]])
+    assert dry.way("DOP853") == "DOP853, one after the other"
+    with pytest.raises(rt.RigidtopError, match=r"at t = 0.5 .*: stuck; .* is rt.DryFriction"):
+        dry.integrate(3.0, "DOP853")
+
+
+def test_what_no_one_knows_is_neither_conserved_nor_not():
+    well = rt.System(m * u**2 / 2 - Function("V")(x), x, u)
+    with pytest.raises(rt.RigidtopError, match="neither shown nor refuted"):
+        well.is_conserved(u)
 
 
 def test_an_equation_is_a_constraint_and_numbers_are_forces():
