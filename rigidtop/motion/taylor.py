@@ -18,6 +18,7 @@ from __future__ import annotations
 import importlib
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -33,6 +34,9 @@ STEPS_AT_ONCE = 20_000
 
 STEPS_HELD = 20
 """After so many steps the constraints are put right, where there are some."""
+
+STEPS_KEPT = 1_000
+"""Of so many steps the powers of time are kept here: heyoka compiles each dense output anew."""
 
 MOST_STEPS = 10_000_000
 """No Taylor series takes more steps: it would fill the memory."""
@@ -84,15 +88,58 @@ def propagated(
         if held is not None:
             state = held(integrator.time / unit, integrator.state * of_state)
             integrator.state[:] = state / of_state
-        outcome, *_, series, _ = integrator.propagate_until(
-            end * unit, max_delta_t=max_delta_t, max_steps=at_once, c_output=True
-        )
+        few = held is not None or not pieces
+        made, steps = (_kept, min(STEPS_KEPT, at_once)) if few else (_compiled, at_once)
+        outcome, series = made(integrator, end * unit, max_delta_t, steps)
         _check(outcome, float(integrator.time / unit), end, integrator.state)
         if len(pieces) * at_once > MOST_STEPS:
             raise RigidtopError(f"more than {MOST_STEPS} steps on the way to {end:g}")
         path = partial(_path, series, unit, of_state)
         pieces.append(Flow(path, np.asarray(series.times) / unit))
     return joined(pieces)
+
+
+@dataclass(frozen=True)
+class Expansions:
+    """The state (n,) as powers of time within each step, as heyoka's dense output has it."""
+
+    times: Floats
+    """Where the steps begin, and where the last ends, shape (steps + 1,)."""
+
+    powers: Floats
+    """Their coefficients, shape (steps, n, order + 1)."""
+
+    def __call__(self, at: Floats) -> Floats:
+        """The states (N, n) at times (N,)."""
+        step = np.searchsorted(np.abs(self.times[1:-1]), np.abs(at))
+        since, states = (at - self.times[step])[:, None], np.zeros(1)
+        for power in range(self.powers.shape[-1] - 1, -1, -1):
+            states = states * since + self.powers[step, :, power]
+        return states
+
+
+def _kept(integrator: Any, end: float, longest: float, steps: int) -> tuple[object, Expansions]:
+    """What came of some steps, and the motion within them."""
+    times, rows, powers = [integrator.time], [], integrator.tc  # changes from step to step
+
+    def keep(integrator: Any) -> bool:
+        times.append(integrator.time)
+        rows.append(powers.tobytes())
+        return True
+
+    outcome, *_ = integrator.propagate_until(
+        end, max_delta_t=longest, max_steps=steps, write_tc=True, callback=keep
+    )
+    kept = np.frombuffer(b"".join(rows)).reshape(len(rows), *powers.shape)
+    return outcome, Expansions(np.array(times), kept)
+
+
+def _compiled(integrator: Any, end: float, longest: float, steps: int) -> tuple[object, Any]:
+    """The same, compiled: for many."""
+    outcome, *_, series, _ = integrator.propagate_until(
+        end, max_delta_t=longest, max_steps=steps, c_output=True
+    )
+    return outcome, series
 
 
 def batch() -> int:

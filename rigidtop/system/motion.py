@@ -101,7 +101,8 @@ class SystemMotion(SystemStart):
         def flows(end: float) -> Flow:
             def run(sizes: Sizes) -> Flow:
                 made = self._flow(start, end, accuracy, sizes)
-                self.keeps_signs(made.path(made.steps))
+                if self.system.one_sided:
+                    self.keeps_signs(made.path(made.steps))
                 return made
 
             return at_its_size(run, self._sizes, start, least_size(self.system, accuracy))

@@ -84,6 +84,19 @@ def test_many_steps_are_taken_in_pieces(monkeypatch):
         assert getattr(pieces, name) == pytest.approx(getattr(whole, name), rel=1e-12)
 
 
+@needs_heyoka
+@pytest.mark.parametrize("kept", [3, 1_000_000])
+def test_powers_that_are_kept_are_the_dense_output(monkeypatch, kept):
+    """On both sides of t = 0, at the ends of steps and between, in pieces of either kind."""
+    motion, times = TOP.motion(theta=0.5, phi_dot=1.0, omega3=40.0), np.linspace(-9, 9, 1001)
+    monkeypatch.setattr(taylor, "STEPS_KEPT", kept)
+    found = series(motion, times)
+    monkeypatch.setattr(taylor, "_kept", taylor._compiled)
+    dense = series(motion, times)
+    for name in ANGLES:
+        assert getattr(found, name) == pytest.approx(getattr(dense, name), rel=1e-12, abs=1e-13)
+
+
 def small_and_linear(sign, spin, z, t):
     """z = δ exp(iφ) near upright (sign 1) or hanging (−1): λ₁z̈ − sign (iλ₃ω₃ż + MgRz) = 0."""
     p = sign * 0.25 * spin
