@@ -24,9 +24,10 @@ it.  Its address records what is set, so it can be shared as a link.  It needs t
 web: pip install 'rigidtop[web]'
 
 --preset is what the page shows first, --set changes a number of that:
-  heavy-top: slow, fast, waves, cusps, loops, sleeping, waking, toppling
-    lambda1, lambda2, lambda3 (kg m²), M (kg), g (m/s²), R1, R2, R (m), theta,
-    phi, psi, theta_dot, phi_dot, omega3
+  heavy-top: slow, fast, waves, cusps, loops, sleeping, waking, toppling,
+    running-down
+    lambda1, lambda2, lambda3 (kg m²), M (kg), g (m/s²), R1, R2, R (m), friction (J s),
+    theta, phi, psi, theta_dot, phi_dot, omega3
   free: free-precession, plate, flip, largest, smallest, toutatis
     lambda1, lambda2, lambda3, omega1, omega2, omega3
 Angles are radians, or degrees with the suffix deg; rates rad/s, or turns a minute with
@@ -161,6 +162,8 @@ def _changed(preset: Preset, given: list[str]) -> Preset:
 def _parameter(name: str, value: float) -> Parameter:
     if name == "theta":
         return Parameter(name, value, "θ at the start", "rad", least=0, most=math.pi)
+    if name == "friction":
+        return Parameter(name, value, "torque of friction over ω", "J s", least=0)
     rate = name.startswith("omega") or name.endswith("_dot")
     unit = "rad/s" if rate else "rad" if name in ("phi", "psi") else UNITS.get(name, "kg m²")
     return Parameter(name, value, name, unit)

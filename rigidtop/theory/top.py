@@ -23,6 +23,7 @@ from rigidtop.theory.lagrangian import (
     momenta,
     routhian,
 )
+from rigidtop.theory.lettered import real
 from rigidtop.theory.rotation import (
     EULER_RATES,
     Z_AXIS,
@@ -33,6 +34,7 @@ from rigidtop.theory.rotation import (
     quaternion_rates,
     total_derivative,
 )
+from rigidtop.theory.symbols import Glyph
 from rigidtop.theory.trig import reduce_ratio, reduce_trig
 
 ANGLES = (s.theta, s.phi, s.psi)
@@ -41,6 +43,8 @@ ACCELERATIONS = (s.thetaddot, s.phiddot, s.psiddot)
 CONJUGATE = (s.p_theta, s.p_phi, s.p_psi)
 CENTRE_OF_MASS = (s.R1, s.R2, s.R3)
 QUATERNION = (s.q0, s.q1, s.q2, s.q3)
+
+friction = real("friction", Glyph("c"), "friction torque over ω", "J s")
 
 SYMMETRIC = {s.lambda2: s.lambda1, s.R1: 0, s.R2: 0, s.R3: s.R}
 """What makes a heavy body the lecture's top."""
@@ -208,6 +212,17 @@ def heavy_body_rates() -> ImmutableMatrix:
     vertical = quaternion_matrix(q).T * Z_AXIS
     rates = quaternion_rates(q, Matrix(OMEGA))
     return ImmutableMatrix([*rates, *body_accelerations_with(gravity_torque(vertical))])
+
+
+@cache
+def damped_body_rates() -> ImmutableMatrix:
+    """The same with friction at the pivot, which turns against ω with −cω, and what it takes (8×1).
+
+    The last is the rate cω² at which it takes energy (W).
+    """
+    omega = Matrix(OMEGA)
+    damping = [0] * 4 + [friction * w / m for w, m in zip(omega, MOMENTS, strict=True)]
+    return ImmutableMatrix([*heavy_body_rates() - Matrix(damping), friction * omega.dot(omega)])
 
 
 def body_accelerations_with(torque: Matrix) -> Matrix:

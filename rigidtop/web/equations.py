@@ -13,7 +13,7 @@ import sympy
 from sympy import Expr, Matrix, diag, sqrt
 
 from rigidtop.codegen.javascript import quantity, rates
-from rigidtop.codegen.shipped import named
+from rigidtop.codegen.shipped import RightHandSide, named
 from rigidtop.theory import euler, rotation, top
 from rigidtop.theory import symbols as s
 from rigidtop.typeset.text import text
@@ -107,10 +107,23 @@ def body_cone_rate() -> Expr:
     return sympy.factor(euler.body_accelerations()[0].subs(s.lambda2, s.lambda1) / s.omega2)
 
 
+def damped_body() -> RightHandSide:
+    """A heavy body that friction slows."""
+    heavy = named("heavy_body")
+    return RightHandSide(
+        "damped_body",
+        "q̇₀ … q̇₃, ω̇₁, ω̇₂, ω̇₃ of a heavy body with friction −cω at its pivot, and what that takes.",
+        (*heavy.state, sympy.Symbol("taken")),
+        (*heavy.parameters, top.friction),
+        top.damped_body_rates,
+    )
+
+
 def functions() -> Iterator[str]:
     """Each function's text."""
     yield rates("heavyTop", named("heavy_top"))
     yield rates("heavyBody", named("heavy_body"))
+    yield rates("dampedBody", damped_body())
     R = attitude()
     yield quantity("attitudeMatrix", "R row by row, body to space.", list(R))
     yield quantity(

@@ -93,6 +93,13 @@ def heavy_presets() -> tuple[Preset, ...]:
             ("e3", "torque", "trail"),
             theta=radians(10),
         ),
+        _top(
+            "running-down",
+            "Running down",
+            "Friction takes the spin: the slower the top, the faster it goes round, until it can "
+            "no longer hold its tilt and sinks. In the end it hangs.",
+            theta=TILT, phi_dot=slow, omega3=SPIN, friction=0.05,
+        ),
     )  # fmt: skip
 
 

@@ -58,10 +58,13 @@ class Preset:
 def heavy(
     body: RigidBody, M: float, g: float, centre: tuple[float, float, float], **state: float
 ) -> Setup:
-    """A heavy body; the state is that of `HeavyTop.motion`, 0 where it is not given."""
+    """A heavy body; the state is that of `HeavyTop.motion`, 0 where it is not given.
+
+    `friction` at the pivot is its torque over ω (J s).
+    """
     moments = {f"lambda{k + 1}": moment for k, moment in enumerate(body.moments)}
     where = {"M": M, "g": g, "R1": centre[0], "R2": centre[1], "R": centre[2]}
-    names = ("theta", "theta_dot", "phi", "phi_dot", "psi", "omega3")
+    names = ("friction", "theta", "theta_dot", "phi", "phi_dot", "psi", "omega3")
     return Setup(HEAVY, moments | where | {name: state.get(name, 0.0) for name in names})
 
 

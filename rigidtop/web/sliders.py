@@ -56,6 +56,7 @@ HEAVY_SLIDERS = (
     Slider("M", Glyph("M"), "mass", "kg", 1e-3, 10.0, True),
     Slider("R", Glyph("R"), "pivot to centre of mass", "m", 0.0, 2.0),
     Slider("g", Glyph("g"), "acceleration of gravity", "m/s²", 0.0, 30.0),
+    Slider("friction", Glyph("c"), "friction: torque over ω", "J s", 0.0, 0.5),
     Slider("theta", Glyph("θ", "0"), "tilt at the start", "rad", 0.0, pi, start=True),
     Slider(
         "phi_dot", Glyph("φ", "0", "dot"), "precession at the start", "rad/s", *RATES, start=True

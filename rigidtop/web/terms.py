@@ -17,13 +17,14 @@ from rigidtop.proof.equation import Equation, value
 from rigidtop.proof.page import Check, Claim
 from rigidtop.theory import symbols as s
 from rigidtop.theory import top
-from rigidtop.theory.euler import OMEGA_DOT, body_accelerations
+from rigidtop.theory.euler import OMEGA, OMEGA_DOT, body_accelerations
 from rigidtop.theory.rotation import Z_AXIS, quaternion_matrix
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.mathml import labelled
 from rigidtop.typeset.text import text
 
-TORQUE = top.gravity_torque(quaternion_matrix(Matrix(top.QUATERNION)).T * Z_AXIS)
+GRAVITY = top.gravity_torque(quaternion_matrix(Matrix(top.QUATERNION)).T * Z_AXIS)
+TORQUE = GRAVITY - top.friction * Matrix(OMEGA)
 """Of gravity, in body components (N m)."""
 
 MEANING: Mapping[Any, Any] = {
@@ -159,7 +160,7 @@ def heavy() -> tuple[TermsOf, ...]:
 
 
 def general() -> tuple[TermsOf, ...]:
-    """Euler's equations with the torque of gravity, for any heavy body."""
+    """Euler's equations with the torques of gravity and friction, for any heavy body."""
     return _eulers(_printed(eulers_equations.with_torque), torque=True)
 
 
@@ -179,7 +180,7 @@ def _eulers(equations: list[Equation], *, torque: bool) -> tuple[TermsOf, ...]:
             (
                 f"how fast L{sub} = λ{sub}ω{sub} changes, seen from the body",
                 f"−(ω × L){sub}: what the turning of the body itself does to L{sub}",
-                *([f"torque of gravity about e{sub}"] if torque else []),
+                *([f"torque of gravity and friction about e{sub}"] if torque else []),
             ),
             "N m",
             meaning,

@@ -28,7 +28,7 @@ angle = st.floats(0.05, math.pi - 0.05)
 @st.composite
 def quantities(draw):
     """Numbers for every symbol; q is a unit quaternion."""
-    names = ("lambda1", "lambda2", "lambda3", "M", "g", "R", "R1", "R2", "R3")
+    names = ("lambda1", "lambda2", "lambda3", "M", "g", "R", "R1", "R2", "R3", "friction")
     found = {name: draw(positive) for name in names}
     more = ("omega1", "omega2", "omega3", "phidot", "psidot", "thetadot", "p_phi", "p_psi", "E")
     found |= {name: draw(signed) for name in more}

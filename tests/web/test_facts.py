@@ -180,6 +180,20 @@ def test_a_top_whose_centre_of_mass_is_on_the_other_side(engine, tableau):
         assert found["regime"] == same["regime"]
 
 
+def test_friction_says_how_fast_it_takes_the_spin(engine, tableau):
+    setup = {"kind": "heavy-top", "clock": "s", "values": {
+        "lambda1": 1.3, "lambda2": 1.3, "lambda3": 0.7, "M": 0.8, "g": 9.81, "R": 0.6, "R1": 0,
+        "R2": 0, "friction": 0.05, "theta": 0.5, "theta_dot": 0, "phi": 0, "phi_dot": 0, "psi": 0,
+        "omega3": 12}}  # fmt: skip
+    text = "factsOf(createMotion(setup, tableau))"
+    assert engine.run(text, setup=setup)["verdict"] == (
+        "Friction takes the spin: ω₃ halves every 9.704 s. From t = 7.409 s on it is too slow to "
+        "sleep upright."
+    )
+    setup["values"]["lambda2"] = 1.2
+    assert "at the rate cω²" in engine.run(text, setup=setup)["verdict"]
+
+
 def test_without_symmetry_nothing_is_promised(engine, tableau):
     body = rt.HeavyBody(1.3, 1.4, 0.7, M=0.8, centre_of_mass=(0, 0, 0.6))
     found = facts(engine, body.motion(omega=(0, 0, 12.0)))

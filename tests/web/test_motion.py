@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.integrate import DOP853
+from scipy.integrate import DOP853, solve_ivp
 from scipy.spatial.transform import Rotation
 
 import rigidtop as rt
@@ -49,7 +49,10 @@ def assert_same(found, expected, tolerance):
     assert math.isclose(found["energy"], expected.energy[0], rel_tol=1e-12, abs_tol=1e-12)
 
 
-@pytest.mark.parametrize("preset", [p for made in PRESETS.values() for p in made()])
+@pytest.mark.parametrize(
+    "preset",
+    [p for made in PRESETS.values() for p in made() if not p.setup.values.get("friction")],
+)
 def test_each_preset_is_the_closed_form(engine, tableau, preset):
     body = body_of(preset.setup)
     values = preset.setup.values
@@ -71,6 +74,41 @@ def test_each_preset_is_the_closed_form(engine, tableau, preset):
             assert math.isclose(row["psi"], exact.psi[0], abs_tol=1e-9 * (1 + abs(exact.psi[0])))
             assert math.isclose(row["p_phi"], exact.p_phi[0], rel_tol=1e-12)
             assert math.isclose(row["p_psi"], exact.p_psi[0], rel_tol=1e-12)
+
+
+@pytest.mark.parametrize("moments", [(1.3, 1.3, 0.7), (1.3, 1.1, 0.7)])
+def test_friction_is_newtons_law_with_a_torque_against_omega(engine, tableau, moments):
+    inertia, c, M, g, R, until = np.array(moments), 0.3, 0.8, 9.81, 0.6, 5.0
+    start = {"theta": 0.5, "theta_dot": 0.2, "phi_dot": 0.6, "omega3": 12.0}
+    setup = heavy(rt.FreeBody(*moments), M, g, (0, 0, R), friction=c, **start)
+    first, last = sample(engine, setup, 0, until)
+
+    def rates(t, state):
+        turn = state[3:].reshape(3, 3)
+        omega = turn @ (turn.T @ state[:3] / inertia)
+        torque = np.cross(R * turn[:, 2], [0, 0, -M * g]) - c * omega
+        return np.concatenate([torque, np.cross(omega, turn.T).T.ravel()])
+
+    begun = np.concatenate([first["momentum"], first["rotation"]])
+    exact = solve_ivp(rates, (0, until), begun, "DOP853", rtol=1e-12, atol=1e-12).y[:, -1]
+    assert np.allclose(last["momentum"], exact[:3], atol=1e-8)
+    assert np.allclose(last["rotation"], exact[3:], atol=1e-8)
+    # What friction takes is what the energy loses, and along e₃ of a symmetric top it is alone.
+    assert first["energy"] - last["energy"] > 40
+    assert math.isclose(last["energy"] + last["taken"], first["energy"], rel_tol=1e-12)
+    [drift] = engine.run("m.drift()")
+    assert (drift["name"], drift["most"] < 1e-12) == ("E + W", True)
+    if moments[0] == moments[1]:
+        assert math.isclose(last["omega"][2], 12 * math.exp(-c * until / 0.7), rel_tol=1e-12)
+
+
+def test_a_top_runs_down_until_it_hangs(engine, tableau):
+    setup = next(p.setup for p in PRESETS["heavy-top"]() if p.name == "running-down")
+    rows = sample(engine, setup, 0, 5, 300)
+    assert [round(math.degrees(row["theta"])) for row in rows] == [30, 34, 180]
+    assert rows[1]["phi_dot"] > 1.3 * rows[0]["phi_dot"]  # it goes round faster as it slows
+    assert engine.run("setup.values.friction = -1; try { startOf(setup) } catch (e) { e.message }",
+                      setup=as_json(setup)) == "friction must not be negative"  # fmt: skip
 
 
 @settings(**QUICK)

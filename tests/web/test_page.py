@@ -146,10 +146,11 @@ def test_a_motion_of_ones_own_comes_first_and_the_presets_after_it():
     assert found["first"]["speed"] == pytest.approx(60 / 90, rel=0.05)
     values = found["first"]["setup"]["values"]
     expected = {"theta": 0.3, "theta_dot": 0.2, "phi": 1.0, "phi_dot": 0.5, "psi": 2.0,
-                "omega3": 90.0, "M": 0.8, "R": 0.6, "g": 9.81, "R1": 0.0, "R2": 0.0}  # fmt: skip
+                "omega3": 90.0, "M": 0.8, "R": 0.6, "g": 9.81, "R1": 0.0, "R2": 0.0,
+                "friction": 0.0}  # fmt: skip
     assert {name: values[name] for name in expected} == pytest.approx(expected, rel=1e-12)
     assert max(s["most"] for s in found["parameters"] if s["name"] == "omega3") == 90.0
-    assert len(found["presets"]) == 9
+    assert len(found["presets"]) == 10
 
 
 def test_a_page_in_a_notebook_is_one_frame():

@@ -92,6 +92,63 @@ export function heavyBody(lambda1, lambda2, lambda3, M, g, R1, R2, R3) {
 }
 
 /**
+ * q̇₀ … q̇₃, ω̇₁, ω̇₂, ω̇₃ of a heavy body with friction −cω at its pivot, and what that takes.
+ *
+ * The state is (q0, q1, q2, q3, omega1, omega2, omega3, taken).
+ *
+ * @param {number} lambda1
+ * @param {number} lambda2
+ * @param {number} lambda3
+ * @param {number} M
+ * @param {number} g
+ * @param {number} R1
+ * @param {number} R2
+ * @param {number} R3
+ * @param {number} friction
+ * @returns {(state: ArrayLike<number>, rates: Float64Array) => void}
+ */
+export function dampedBody(lambda1, lambda2, lambda3, M, g, R1, R2, R3, friction) {
+  const c0 = friction/lambda1;
+  const c1 = (lambda2 - lambda3)/lambda1;
+  const c2 = M*R2*g/lambda1;
+  const c3 = 2*M*R3*g/lambda1;
+  const c4 = friction/lambda2;
+  const c5 = M*R1*g/lambda2;
+  const c6 = (lambda1 - lambda3)/lambda2;
+  const c7 = 2*M*R3*g/lambda2;
+  const c8 = friction/lambda3;
+  const c9 = (lambda1 - lambda2)/lambda3;
+  const c10 = 2*M*R1*g/lambda3;
+  const c11 = 2*M*R2*g/lambda3;
+  const c12 = friction;
+  return (state, rates) => {
+    const q0 = state[0];
+    const q1 = state[1];
+    const q2 = state[2];
+    const q3 = state[3];
+    const omega1 = state[4];
+    const omega2 = state[5];
+    const omega3 = state[6];
+    const x0 = omega1/2;
+    const x1 = q2/2;
+    const x2 = q3/2;
+    const x3 = omega2/2;
+    const x4 = omega3/2;
+    const x5 = q0*q1 + q2*q3;
+    const x6 = 2*q1*q1 + 2*q2*q2 - 1;
+    const x7 = q0*q2 - q1*q3;
+    rates[0] = -omega2*x1 - omega3*x2 - q1*x0;
+    rates[1] = -omega2*x2 + omega3*x1 + q0*x0;
+    rates[2] = q0*x3 - q1*x4 + q3*x0;
+    rates[3] = q0*x4 + q1*x3 - q2*x0;
+    rates[4] = -c0*omega1 + c1*omega2*omega3 + c2*x6 + c3*x5;
+    rates[5] = -c4*omega2 - c5*x6 - c6*omega1*omega3 + c7*x7;
+    rates[6] = -c10*x5 - c11*x7 - c8*omega3 + c9*omega1*omega2;
+    rates[7] = c12*(omega1*omega1 + omega2*omega2 + omega3*omega3);
+  };
+}
+
+/**
  * R row by row, body to space.
  *
  * @param {{ q0: number, q1: number, q2: number, q3: number }} quantities
@@ -405,15 +462,15 @@ export function pPsiTerms({ lambda3, p_psi, phidot, psidot, theta }) {
 /**
  * The terms of λ₁ω̇₁ = (λ₂ − λ₃)ω₂ω₃ + N₁.
  *
- * @param {{ M: number, R2: number, R3: number, g: number, lambda1: number, lambda2: number,
- *   lambda3: number, omega2: number, omega3: number, q0: number, q1: number, q2: number, q3: number
- *   }} quantities
+ * @param {{ M: number, R2: number, R3: number, friction: number, g: number, lambda1: number,
+ *   lambda2: number, lambda3: number, omega1: number, omega2: number, omega3: number, q0: number,
+ *   q1: number, q2: number, q3: number }} quantities
  */
-export function euler1({ M, R2, R3, g, lambda1, lambda2, lambda3, omega2, omega3, q0, q1, q2,
-    q3 }) {
+export function euler1({ M, R2, R3, friction, g, lambda1, lambda2, lambda3, omega1, omega2, omega3,
+    q0, q1, q2, q3 }) {
   const x0 = 1/lambda1;
   const x1 = omega2*omega3*(lambda2 - lambda3);
-  const x2 = -M*R2*g*(-2*q1*q1 - 2*q2*q2 + 1) + M*R3*g*(2*q0*q1 + 2*q2*q3);
+  const x2 = -M*R2*g*(-2*q1*q1 - 2*q2*q2 + 1) + M*R3*g*(2*q0*q1 + 2*q2*q3) - friction*omega1;
   return [
     lambda1*(x0*x1 + x0*x2),
     x1,
@@ -424,37 +481,36 @@ export function euler1({ M, R2, R3, g, lambda1, lambda2, lambda3, omega2, omega3
 /**
  * The terms of λ₂ω̇₂ = (λ₃ − λ₁)ω₃ω₁ + N₂.
  *
- * @param {{ M: number, R1: number, R3: number, g: number, lambda1: number, lambda2: number,
- *   lambda3: number, omega1: number, omega3: number, q0: number, q1: number, q2: number, q3: number
- *   }} quantities
+ * @param {{ M: number, R1: number, R3: number, friction: number, g: number, lambda1: number,
+ *   lambda2: number, lambda3: number, omega1: number, omega2: number, omega3: number, q0: number,
+ *   q1: number, q2: number, q3: number }} quantities
  */
-export function euler2({ M, R1, R3, g, lambda1, lambda2, lambda3, omega1, omega3, q0, q1, q2,
-    q3 }) {
+export function euler2({ M, R1, R3, friction, g, lambda1, lambda2, lambda3, omega1, omega2, omega3,
+    q0, q1, q2, q3 }) {
   const x0 = 1/lambda2;
   const x1 = lambda1 - lambda3;
   const x2 = omega1*omega3;
-  const x3 = M*g;
-  const x4 = R1*x3*(-2*q1*q1 - 2*q2*q2 + 1) - R3*x3*(-2*q0*q2 + 2*q1*q3);
+  const x3 = M*R1*g*(-2*q1*q1 - 2*q2*q2 + 1) - M*R3*g*(-2*q0*q2 + 2*q1*q3) - friction*omega2;
   return [
-    lambda2*(-x0*x1*x2 + x0*x4),
+    lambda2*(-x0*x1*x2 + x0*x3),
     -x1*x2,
-    x4,
+    x3,
   ];
 }
 
 /**
  * The terms of λ₃ω̇₃ = (λ₁ − λ₂)ω₁ω₂ + N₃.
  *
- * @param {{ M: number, R1: number, R2: number, g: number, lambda1: number, lambda2: number,
- *   lambda3: number, omega1: number, omega2: number, q0: number, q1: number, q2: number, q3: number
- *   }} quantities
+ * @param {{ M: number, R1: number, R2: number, friction: number, g: number, lambda1: number,
+ *   lambda2: number, lambda3: number, omega1: number, omega2: number, omega3: number, q0: number,
+ *   q1: number, q2: number, q3: number }} quantities
  */
-export function euler3({ M, R1, R2, g, lambda1, lambda2, lambda3, omega1, omega2, q0, q1, q2,
-    q3 }) {
+export function euler3({ M, R1, R2, friction, g, lambda1, lambda2, lambda3, omega1, omega2, omega3,
+    q0, q1, q2, q3 }) {
   const x0 = 1/lambda3;
   const x1 = omega1*omega2*(lambda1 - lambda2);
   const x2 = 2*q0;
-  const x3 = -M*R1*g*(q1*x2 + 2*q2*q3) + M*R2*g*(2*q1*q3 - q2*x2);
+  const x3 = -M*R1*g*(q1*x2 + 2*q2*q3) + M*R2*g*(2*q1*q3 - q2*x2) - friction*omega3;
   return [
     lambda3*(x0*x1 + x0*x3),
     x1,

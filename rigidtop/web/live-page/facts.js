@@ -32,6 +32,7 @@ const HARDLY_SEEN = 0.01;
 export function factsOf(/** @type {Motion} */ motion) {
   const none = { turningPoints: null, smallestSpin: null, sleepingSpin: null, steady: null };
   if (motion.setup.kind === "free") return { ...none, ...freeFacts(motion) };
+  if (motion.setup.values.friction > 0) return { ...none, ...frictionFacts(motion) };
   if (!motion.symmetric) {
     const free = motion.weight[0] === 0 && motion.weight[1] === 0 && motion.weight[2] === 0;
     const verdict = free
@@ -298,6 +299,25 @@ function steadyFacts(/** @type {Motion} */ motion) {
     (steady ? `with ${spin} there are ${rates}.` : `with ${spin} there is none.`) +
     upright;
   return { ...known, smallestSpin: least, steady, verdict };
+}
+
+/** How fast friction takes the spin, and from when on it is too slow to sleep. */
+function frictionFacts(/** @type {Motion} */ { setup, moments, arm, start }) {
+  const { M, g, friction } = setup.values;
+  const [lambda1, lambda2, lambda3] = Array.from(moments);
+  if (lambda1 !== lambda2 || arm[0] !== 0 || arm[1] !== 0) {
+    return { regime: "friction", verdict: "Friction takes energy, at the rate cω²." };
+  }
+  // Gravity has no torque along e₃, so that λ₃ω̇₃ = −cω₃.
+  const time = lambda3 / friction;
+  const R = Math.abs(arm[2]);
+  const sleepingSpin = smallestSpin({ M, R, g, lambda1, lambda3, theta: 0 });
+  const spins = Math.abs(start.omega[2]) / sleepingSpin;
+  const awake = spins > 1 && Number.isFinite(spins)
+    ? ` From t = ${number(time * Math.log(spins))} s on it is too slow to sleep upright.`
+    : "";
+  const verdict = `Friction takes the spin: ω₃ halves every ${number(time * Math.LN2)} s.${awake}`;
+  return { regime: "running down", sleepingSpin, verdict };
 }
 
 function freeFacts(/** @type {Motion} */ motion) {

@@ -10,6 +10,7 @@ const PROMISE = -9;
 
 /** @type {Record<string, { symbol: string, meaning: string }>} */
 const NAMES = {
+  "E + W": { symbol: "E + W", meaning: "energy, with what friction has taken" },
   E: { symbol: "E", meaning: "energy" },
   p_phi: { symbol: "p<sub>φ</sub>", meaning: "p φ, the momentum of φ" },
   p_psi: { symbol: "p<sub>ψ</sub>", meaning: "p ψ, the momentum of ψ" },

@@ -10,6 +10,7 @@ import { createSolver } from "./dop853.js";
 import {
   angularMomentum,
   attitudeMatrix,
+  dampedBody,
   energy,
   eulerRates,
   gravityTorque,
@@ -44,6 +45,7 @@ const LOOKS = 40;
  * @property {number} M
  * @property {number} g
  * @property {readonly [number, number, number]} arm from the pivot to the centre of mass
+ * @property {number} friction its torque over ω
  * @property {number[]} q
  * @property {number[]} omega body components
  * @property {number} phi
@@ -59,8 +61,9 @@ export function startOf(/** @type {Setup} */ setup) {
   const { lambda1, lambda2, lambda3 } = setup.values;
   const moments = /** @type {[number, number, number]} */ ([lambda1, lambda2, lambda3]);
   const heavy = setup.kind === "heavy-top";
-  const { M = 1, g = 0, R1 = 0, R2 = 0, R = 0 } = heavy ? setup.values : {};
+  const { M = 1, g = 0, R1 = 0, R2 = 0, R = 0, friction = 0 } = heavy ? setup.values : {};
   const arm = /** @type {[number, number, number]} */ ([R1, R2, R]);
+  if (!(friction >= 0)) throw new Error("friction must not be negative");
   checkBody(moments, M, g, arm, setup.clock === "d" ? "" : " kg m²");
   if (heavy) {
     const { theta, theta_dot, phi, phi_dot, psi, omega3 } = setup.values;
@@ -70,11 +73,12 @@ export function startOf(/** @type {Setup} */ setup) {
     const omega = omegaOfRates({ theta, psi, thetadot: theta_dot, phidot, psidot: 0 });
     const [q0, q1, q2, q3] = quaternionOfAngles({ phi, theta, psi });
     const q = hanging ? [0, q1, q2, 0] : [q0, q1, q2, q3];
-    return { moments, M, g, arm, q, omega: [omega[0], omega[1], omega3], phi, psi };
+    const rates = [omega[0], omega[1], omega3];
+    return { moments, M, g, arm, friction, q, omega: rates, phi, psi };
   }
   const omega = [setup.values.omega1, setup.values.omega2, setup.values.omega3];
   const angles = attitudeAngles(setup, moments, omega);
-  return { moments, M, g, arm, q: quaternionOfAngles(angles), omega, ...angles };
+  return { moments, M, g, arm, friction, q: quaternionOfAngles(angles), omega, ...angles };
 }
 
 /** θ, φ, ψ of a free body: as given, or those that put L along ẑ. */
@@ -153,15 +157,19 @@ const short = (/** @type {number} */ x) => String(Number(x.toPrecision(4)));
  */
 export function createMotion(setup, tableau, pace) {
   const initial = startOf(setup);
-  const { moments, M, g, arm } = initial;
+  const { moments, M, g, arm, friction } = initial;
   const weight = arm.map((r) => M * g * r);
-  const symmetric = moments[0] === moments[1] && weight[0] === 0 && weight[1] === 0;
+  const symmetric =
+    moments[0] === moments[1] && weight[0] === 0 && weight[1] === 0 && friction === 0;
   const spin = symmetric ? initial.omega[2] : 0;
   const [lambda1, lambda2, lambda3] = moments;
   const rates = symmetric
     ? heavyTop(lambda1, lambda3, M, g, arm[2], spin)
-    : heavyBody(lambda1, lambda2, lambda3, M, g, arm[0], arm[1], arm[2]);
-  const beginning = [...initial.q, ...initial.omega.slice(0, symmetric ? 2 : 3)];
+    : friction > 0
+      ? dampedBody(lambda1, lambda2, lambda3, M, g, arm[0], arm[1], arm[2], friction)
+      : heavyBody(lambda1, lambda2, lambda3, M, g, arm[0], arm[1], arm[2]);
+  const nothing = friction > 0 ? [0] : [];
+  const beginning = [...initial.q, ...initial.omega.slice(0, symmetric ? 2 : 3), ...nothing];
   const turning =
     Math.hypot(...initial.omega) + Math.sqrt(Math.hypot(...weight) / Math.min(...moments));
   const timescale = pace ?? (turning > 0 ? 1 / turning : 1);
@@ -243,6 +251,7 @@ export function createMotion(setup, tableau, pace) {
       phi_dot,
       psi_dot,
       energy: energy(all),
+      taken: friction > 0 ? state[7] : 0,
       p_phi: momentum[2],
       p_psi: lambda3 * omega3,
     };
@@ -257,12 +266,15 @@ export function createMotion(setup, tableau, pace) {
   const momentumScale =
     Math.sqrt(2 * Math.max(...moments)) * Math.sqrt(kinetic(3) + potential) || 1;
   const kept = /** @type {Drift["name"][]} */ (
-    weight.every((w) => w === 0) ? ["E", "L"] : symmetric ? ["E", "p_phi", "p_psi"] : ["E", "p_phi"]
+    friction > 0 ? ["E + W"]
+      : weight.every((w) => w === 0) ? ["E", "L"] : symmetric ? ["E", "p_phi", "p_psi"] : ["E", "p_phi"]
   );
   const most = kept.map(() => 0);
   const strayed = (/** @type {Sample} */ sample) =>
     kept.map((name) => {
-      if (name === "E") return Math.abs(sample.energy - start.energy) / energyScale;
+      if (name === "E" || name === "E + W") {
+        return Math.abs(sample.energy + sample.taken - start.energy) / energyScale;
+      }
       if (name === "p_phi") return Math.abs(sample.p_phi - start.p_phi) / momentumScale;
       if (name === "p_psi") return Math.abs(sample.p_psi - start.p_psi) / momentumScale;
       return distance(sample.momentum, start.momentum) / momentumScale;
@@ -302,13 +314,13 @@ export function createMotion(setup, tableau, pace) {
  * @returns {Record<string, number>}
  */
 export function quantities(/** @type {Sample} */ sample, /** @type {Motion} */ motion) {
-  const { M = 1, g = 0, R1 = 0, R2 = 0, R = 0 } = motion.setup.values;
+  const { M = 1, g = 0, R1 = 0, R2 = 0, R = 0, friction = 0 } = motion.setup.values;
   const [lambda1, lambda2, lambda3] = Array.from(motion.moments);
   const [omega1, omega2, omega3] = Array.from(sample.omega);
   const [q0, q1, q2, q3] = Array.from(sample.q);
   const { theta, phi, psi, p_phi, p_psi } = sample;
   const rates = { thetadot: sample.theta_dot, phidot: sample.phi_dot, psidot: sample.psi_dot };
-  const body = { lambda1, lambda2, lambda3, M, g, R, R1, R2, R3: R };
+  const body = { lambda1, lambda2, lambda3, M, g, R, R1, R2, R3: R, friction };
   const state = { omega1, omega2, omega3, q0, q1, q2, q3, theta, phi, psi, p_phi, p_psi };
   return { ...body, ...state, ...rates };
 }

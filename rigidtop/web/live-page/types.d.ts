@@ -60,6 +60,8 @@ interface Sample extends Timed {
   readonly phi_dot: number;
   readonly psi_dot: number;
   readonly energy: number;
+  /** What friction has taken from the energy since t = 0. */
+  readonly taken: number;
   readonly p_phi: number;
   readonly p_psi: number;
 }
@@ -109,7 +111,7 @@ interface Motion extends Moving<Sample> {
   readonly moments: Numbers;
   readonly arm: Numbers;
   readonly weight: Numbers;
-  /** λ₁ = λ₂ with the centre of mass on e₃: then ω₃ is constant. */
+  /** λ₁ = λ₂ with the centre of mass on e₃, and no friction: then ω₃ is constant. */
   readonly symmetric: boolean;
 }
 
