@@ -24,7 +24,7 @@ it.  Its address records what is set, so it can be shared as a link.  It needs t
 web: pip install 'rigidtop[web]'
 
 --preset is what the page shows first, --set changes a number of that:
-  heavy-top: slow, fast, waves, cusps, loops, sleeping, waking, toppling,
+  heavy-top: loops, slow, fast, waves, cusps, sleeping, waking, toppling,
     running-down
     lambda1, lambda2, lambda3 (kg m²), M (kg), g (m/s²), R1, R2, R (m), friction (J s),
     theta, phi, psi, theta_dot, phi_dot, omega3

@@ -36,6 +36,12 @@ def heavy_presets() -> tuple[Preset, ...]:
     arrows = ("e3", "omega", "L", "torque", "trail")
     return (
         _top(
+            "loops",
+            "Loops",
+            "Pushed against its precession: φ̇ changes sign, and e₃ draws loops.",
+            theta=TILT, phi_dot=-2 * slow, omega3=SPIN,
+        ),
+        _top(
             "slow",
             "Slow precession",
             "φ̇₀ is the slow root Ω₋ of (3.57): the axis keeps its tilt, and the torque turns L "
@@ -64,12 +70,6 @@ def heavy_presets() -> tuple[Preset, ...]:
             "Held at rest and let go: φ̇ vanishes at the upper circle, where e₃ stops for an "
             "instant.",
             theta=TILT, phi_dot=0.0, omega3=SPIN,
-        ),
-        _top(
-            "loops",
-            "Loops",
-            "Pushed against its precession: φ̇ changes sign, and e₃ draws loops.",
-            theta=TILT, phi_dot=-2 * slow, omega3=SPIN,
         ),
         _top(
             "sleeping",

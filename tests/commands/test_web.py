@@ -31,7 +31,7 @@ def test_a_preset_with_other_numbers_comes_first(tmp_path, capsys):
     assert record["values"]["theta"] == pytest.approx(math.pi / 4)
     assert record["values"]["omega3"] == pytest.approx(2 * math.pi)
     assert record["bytes"] == path.stat().st_size
-    assert [p["name"] for p in record["presets"]][:3] == ["slow", "fast", "waves"]
+    assert [p["name"] for p in record["presets"]][:3] == ["loops", "slow", "fast"]
     shown = first(path)
     assert shown["name"] == record["preset"] == "own"
     assert shown["title"] == "An example, changed"
@@ -44,7 +44,7 @@ def test_a_preset_with_other_numbers_comes_first(tmp_path, capsys):
 def test_a_preset_with_its_own_numbers_is_the_preset(tmp_path, capsys):
     path = tmp_path / "same.html"
     assert main(["web", "heavy-top", "--set", "theta=30deg", "-o", str(path), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["preset"] == first(path)["name"] == "slow"
+    assert json.loads(capsys.readouterr().out)["preset"] == first(path)["name"] == "loops"
 
 
 def test_the_second_moment_follows_the_first(tmp_path, capsys):

@@ -477,7 +477,7 @@ def test_keys_of_their_own(live):
     live.wait("Math.abs(rigidtop.motion.now.t - arguments[0]) < 1e-12", t)
     press(live, "r")
     live.wait("rigidtop.motion.now.t === 0")
-    press(live, "3")
+    press(live, "4")
     live.wait("document.querySelector('[value=waves]').checked")
     press(live, "f")
     live.wait("document.querySelector('#looks [value=body]').checked")
@@ -922,7 +922,7 @@ def test_without_webgl_the_page_says_so_and_goes_on(live):
     assert "held" in live.find("[role=meter]").text
     live.find("#slider-theta").send_keys(Keys.ARROW_RIGHT)
     live.wait("rigidtop.motion.setup.values.theta !== Math.PI / 6")
-    for key in ("f", "+", "0", "2", " "):
+    for key in ("f", "+", "0", "3", " "):
         live.find("#scene").send_keys(key)
     live.wait("!rigidtop.playing && document.querySelector('[value=fast]').checked")
     click(live, "#looks [value=cones]")
@@ -935,7 +935,7 @@ def test_a_notebook_plays_the_same_page(live):
     frames = own._repr_html_() + shown._repr_html_()
     live.write("notebook", f'<!doctype html><meta charset="utf-8"><title>Notebook</title>{frames}')
     live.open("notebook", ready="")
-    for number, verdict in enumerate(("Own motion", "Slow precession")):
+    for number, verdict in enumerate(("Own motion", "Loops")):
         live.driver.switch_to.default_content()
         live.driver.switch_to.frame(number)
         live.wait("window.rigidtop && rigidtop.motion.now.t > 0.1")
@@ -959,7 +959,7 @@ def test_a_screen_reader_finds_its_way(live):
     assert set(levels[1:]) == {2}
     assert all(name for _, name in headings)
     label = live.wait("document.querySelector('#scene[role=img]').ariaLabel")
-    assert label.startswith("A heavy top, steady precession")
+    assert label.startswith("A heavy top, loops")
     assert "Now θ = " in label
     spoken = live.find("#verdict [aria-live=polite]")
     said = live.find(".verdict").text
