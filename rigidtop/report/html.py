@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from base64 import b64encode
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, singledispatch
@@ -41,14 +42,19 @@ def _formula(part: str) -> str:
 
 
 def style(*names: str) -> str:
-    """Style sheets and scripts of this package, one behind the other."""
+    """Style sheets and scripts of this package, one behind the other, with their fonts in them."""
     folder = files("rigidtop.report").joinpath("styles")
     colors = " ".join(
         f"--{verdict}: light-dark(#{light}, #{dark});"
         for verdict, (light, dark) in b.COLORS.items()
     )
     made = "".join(folder.joinpath(name).read_text("utf-8") for name in names)
-    return made.replace("@COLORS@", colors)
+
+    def font(place: re.Match[str]) -> str:
+        letters = b64encode(folder.joinpath(place[1]).read_bytes()).decode()
+        return f"url(data:font/woff2;base64,{letters})"
+
+    return re.sub(r"url\((\w+\.woff2)\)", font, made).replace("@COLORS@", colors)
 
 
 def page(
@@ -86,6 +92,7 @@ def write(
     begin, end = (f"\n{source}", "") if slides else ("", f"\n<footer>{source}</footer>")
     opening = "" if slides or document.opening is None else _figure(document.opening, figures)
     kinds = [
+        "fonts.css",
         "page.css",
         *["lecture.css"] * document.lecture,
         f"{'slides' if slides else 'print'}.css",

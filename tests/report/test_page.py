@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from base64 import b64decode
+
 import pytest
 from sympy import symbols
 
@@ -65,6 +68,21 @@ def shown(page):
     link = driver.find_element("css selector", "p a[href='#claim-1-1']")
     driver.execute_script("arguments[0].scrollIntoView({ block: 'center' })", link)
     return driver, link
+
+
+def test_its_letters_come_with_the_page(page):
+    driver, address = page
+    driver.get(address)
+    kept, names = driver.execute_async_script(
+        "document.fonts.ready.then((all) => Promise.all([...all].map((each) => each.load())))"
+        ".then((all) => arguments[0]([all.map(({ status }) => status), ['p', 'math'].map((each) =>"
+        " getComputedStyle(document.querySelector(each)).fontFamily.split(',')[0])]))"
+    )
+    assert kept == ["loaded"] * 4
+    assert names == ['"rigidtop Text"', '"rigidtop Math"']
+    letters = re.findall(r"base64,([^)]+)\)", html.style("fonts.css"))
+    assert [b64decode(each)[:4] for each in letters] == [b"wOF2"] * 4
+    assert sum(map(len, letters)) < 250_000
 
 
 def _card(driver):

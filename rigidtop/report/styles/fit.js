@@ -34,3 +34,5 @@ const fitted = () => {
     else each.removeAttribute("tabindex");
   }
 };
+// The letters that a page brings along are there a little later.
+document.fonts.ready.then(() => dispatchEvent(new Event("resize")));
