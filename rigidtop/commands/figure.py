@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rigidtop.commands.claims import FOLDER
 from rigidtop.commands.notation import add_notation, chosen
 from rigidtop.commands.output import print_json
-from rigidtop.commands.settings import add_settings, apart, whole
+from rigidtop.commands.settings import add_settings, apart, whole, within
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import settings
 
@@ -28,11 +28,16 @@ examples:
   rigidtop figure
   rigidtop figure torque -o torque.pdf
   rigidtop figure paths --set theta=30deg omega3=400rpm -o paths.svg
-  rigidtop figure rolling-cones -o cones.gif
+  rigidtop figure rolling-cones -o cones.mp4 --seconds 8 --dpi 300
   rigidtop figure my_course/ orbit -o orbit.gif"""
 
 STILL, MOVING = ("svg", "pdf", "png"), ("gif", "mp4")
-MOST_FRAMES = 2000
+MOST_FRAMES, MOST_SECONDS = 2000, 100
+CENTIMETRES = 2.54
+"""In an inch."""
+
+WIDEST, MOST_DOTS = 17.8, 10_000
+"""Centimetres of a figure as it was made, and dots in a row of one."""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -50,6 +55,24 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         type=whole(2, MOST_FRAMES),
         metavar="N",
         help="of a gif or mp4, 20 a second (default: 80)",
+    )
+    parser.add_argument(
+        "--seconds",
+        type=within(0.1, MOST_SECONDS),
+        metavar="S",
+        help="how long a gif or mp4 is, in place of --frames",
+    )
+    parser.add_argument(
+        "--width",
+        type=within(2, 50),
+        metavar="CM",
+        help="how wide; letters keep their size (default: that of the figure, 8.6 to 17.8)",
+    )
+    parser.add_argument(
+        "--dpi",
+        type=whole(20, 1200),
+        metavar="N",
+        help="dots to the inch of a png (default: 300), gif or mp4 (120)",
     )
     add_notation(parser)
 
@@ -95,10 +118,13 @@ def _run(collection: Collection, names: Sequence[str], options: argparse.Namespa
         "alternative": unmarked(drawing.alternative(**values)),
     }
     if kind in MOVING:
-        from rigidtop.figures.animation import FRAMES
+        from rigidtop.figures.animation import FRAMES, PER_SECOND
 
-        record["frames"] = options.frames or FRAMES
-    _write(drawing, path, kind, values, record.get("frames", 0))
+        seconds = round((options.seconds or 0) * PER_SECOND)
+        record["frames"] = options.frames or seconds or FRAMES
+    size: dict[str, Any] = {"dots": options.dpi} if options.dpi else {}
+    size |= {"width": options.width / CENTIMETRES} if options.width else {}
+    _write(drawing, path, kind, values, record.get("frames", 0), size)
     if options.json:
         print_json(record)
     else:
@@ -130,23 +156,38 @@ def _check(
         from rigidtop.figures.animation import writer
 
         writer(kind)  # an mp4 wants ffmpeg
-    if kind in STILL and options.frames:
-        raise RigidtopError(f"--frames goes with a .gif or .mp4, not with a .{kind}")
+    for name in ("frames", "seconds"):
+        if kind in STILL and getattr(options, name):
+            raise RigidtopError(f"--{name} goes with a .gif or .mp4, not with a .{kind}")
+    if options.frames and options.seconds:
+        raise RigidtopError("--frames and --seconds both say how long it is: give one")
+    if options.dpi and kind in ("svg", "pdf"):
+        raise RigidtopError(f"--dpi goes with a .png, .gif or .mp4: a .{kind} has no dots")
+    dots = round((options.width or WIDEST) / CENTIMETRES * (options.dpi or 300))
+    if kind not in ("svg", "pdf") and dots > MOST_DOTS:
+        raise RigidtopError(f"a row of {dots} dots is too long: at most {MOST_DOTS}")
     check_folder(path.parent)
 
 
-def _write(drawing: Drawing, path: Path, kind: str, values: dict[str, float], frames: int) -> None:
+def _write(
+    drawing: Drawing,
+    path: Path,
+    kind: str,
+    values: dict[str, float],
+    frames: int,
+    size: dict[str, Any],
+) -> None:
     from rigidtop.terminal.files import write_whole
     from rigidtop.terminal.progress import bar
 
     if kind in STILL:
         from rigidtop.figures.drawing import rendered
 
-        content = rendered(drawing, kind, values)
+        content = rendered(drawing, kind, values, **size)
     else:
         from rigidtop.figures.animation import animated
 
-        content = animated(drawing, kind, values, frames=frames, progress=bar("drawing"))
+        content = animated(drawing, kind, values, frames=frames, **size, progress=bar("drawing"))
     write_whole(path, content)
 
 

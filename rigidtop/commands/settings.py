@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -25,6 +26,26 @@ def apart(given: Sequence[str]) -> tuple[list[str], list[str]]:
     (['theta=30deg'], ['toppling-top'])
     """
     return [word for word in given if "=" in word], [word for word in given if "=" not in word]
+
+
+def within(least: float, most: float) -> Callable[[str], float]:
+    """What reads a number in a range.
+
+    >>> within(1, 50)("8.6")
+    8.6
+    """
+
+    def read(text: str) -> float:
+        try:
+            number = float(text)
+        except ValueError:
+            number = math.nan
+        if not least <= number <= most:
+            said = f"{text!r} is not a number from {least:g} to {most:g}"
+            raise argparse.ArgumentTypeError(said)
+        return number
+
+    return read
 
 
 def whole(least: int, most: int | None = None) -> Callable[[str], int]:

@@ -11,7 +11,7 @@ import matplotlib
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter
 
 from rigidtop.errors import RigidtopError
-from rigidtop.figures.drawing import Drawing, Film
+from rigidtop.figures.drawing import Drawing, Film, resize
 from rigidtop.figures.style import STYLE
 
 KINDS = ("gif", "mp4")
@@ -44,9 +44,11 @@ def animated(
     given: Mapping[str, float] | None = None,
     *,
     frames: int = FRAMES,
+    width: float | None = None,
+    dots: int = DOTS,
     progress: Progress = lambda done, total: None,
 ) -> bytes:
-    """The bytes of a film as "gif" or "mp4".
+    """The bytes of a film as "gif" or "mp4", `width` inches wide, or as wide as it was made.
 
     `progress` is called with the number of frames that are done, and of all.  Raises RigidtopError
     for a figure that does not move, and for an mp4 that ffmpeg is not there or not able to write.
@@ -56,18 +58,23 @@ def animated(
     values = drawing.values(given)
     with matplotlib.rc_context(STYLE), TemporaryDirectory() as folder:
         film, path = drawing.animate(**values), Path(folder) / f"film.{kind}"
-        record(path, film, frames, progress)
+        resize(film.canvas, width)
+        record(path, film, frames, progress, dots)
         return path.read_bytes()
 
 
 def record(
-    path: Path, film: Film, frames: int, progress: Progress = lambda done, total: None
+    path: Path,
+    film: Film,
+    frames: int,
+    progress: Progress = lambda done, total: None,
+    dots: int = DOTS,
 ) -> None:
     """Write a film of so many frames, by the suffix of its file; see `animated`."""
     kind = path.suffix.removeprefix(".")
     out = writer(kind)
     try:
-        with out.saving(film.canvas, str(path), DOTS):
+        with out.saving(film.canvas, str(path), dots):
             for done in range(frames):
                 film.show(done / frames)
                 out.grab_frame()

@@ -144,12 +144,27 @@ def one(motion: Callable[..., Motion]) -> Callable[..., Sequence[Motion]]:
     return lambda **values: (motion(**values),)
 
 
-def rendered(drawing: Drawing, kind: str, given: Mapping[str, float] | None = None) -> bytes:
+def rendered(
+    drawing: Drawing,
+    kind: str,
+    given: Mapping[str, float] | None = None,
+    *,
+    width: float | None = None,
+    dots: int = DOTS,
+) -> bytes:
     """The bytes of a figure as "svg", "pdf" or "png"; the same each time.
 
-    It is as wide as it was made, and no higher than what is drawn.
+    It is `width` inches wide, or as wide as it was made, and no higher than what is drawn; letters
+    keep their size.  `dots` are those of a png to the inch.
     """
-    return _saved(drawing, given, kind)[0]
+    return _saved(drawing, given, kind, width=width, dots=dots)[0]
+
+
+def resize(figure: Canvas, width: float | None) -> None:
+    """Make a figure `width` inches wide, and as high in proportion; None leaves it."""
+    if width is not None:
+        own, high = figure.get_size_inches()
+        figure.set_size_inches(width, high * width / own)
 
 
 def both(drawing: Drawing, given: Mapping[str, float] | None = None) -> tuple[bytes, bytes]:
@@ -163,10 +178,13 @@ def _saved(
     given: Mapping[str, float] | None,
     *kinds: str,
     wide: bool = True,
+    width: float | None = None,
+    dots: int = DOTS,
 ) -> list[bytes]:
     """A figure as each of the kinds, "svg" last, which has no white behind it."""
     with matplotlib.rc_context(STYLE):
         figure = drawing.draw(**drawing.values(given))
+        resize(figure, width)
         for name in figure.findobj(Text):
             for ours, theirs in MATHTEXT:
                 name.set_text(re.sub(ours, theirs, name.get_text()))
@@ -180,7 +198,8 @@ def _saved(
         if wide:
             box = Bbox.from_extents(0, box.y0, figure.get_figwidth(), box.y1)
         return [
-            vector.cropped(box) if kind == "svg" else _bytes(figure, box, kind) for kind in kinds
+            vector.cropped(box) if kind == "svg" else _bytes(figure, box, kind, dots)
+            for kind in kinds
         ]
 
 
@@ -222,9 +241,9 @@ _ABOUT: Mapping[str, dict[str, Any]] = {
 }
 
 
-def _bytes(figure: Canvas, box: Bbox, kind: str) -> bytes:
+def _bytes(figure: Canvas, box: Bbox, kind: str, dots: int) -> bytes:
     buffer = BytesIO()
-    dots = DOTS if kind == "png" else POINTS
+    dots = dots if kind == "png" else POINTS
     figure.savefig(buffer, format=kind, metadata=_ABOUT[kind], dpi=dots, bbox_inches=box)
     return buffer.getvalue()
 

@@ -58,6 +58,13 @@ def test_svg_by_default_and_settings(tmp_path, capsys):
             "cones does not move: write it as .svg, .pdf or .png (what moves:",
         ),
         (("cones", "--frames", "5"), "--frames goes with a .gif or .mp4, not with a .svg"),
+        (("cones", "--seconds", "5"), "--seconds goes with a .gif or .mp4, not with a .svg"),
+        (("top", "-o", "x.gif", "--seconds", "5", "--frames", "9"), "both say how long it is"),
+        (("cones", "--dpi", "90"), "--dpi goes with a .png, .gif or .mp4: a .svg has no dots"),
+        (
+            ("cones", "-o", "x.png", "--dpi", "1200", "--width", "50"),
+            "a row of 23622 dots is too long: at most 10000",
+        ),
         (("cones", "--set", "lambda3=9"), "lambda3 = 9 exceeds the sum of the other two moments"),
         (("precession-rates", "--set", "omega3=1"), "|omega3| must be at least"),
         (("-o", "x.svg"), "which figure?"),
@@ -78,6 +85,32 @@ def test_a_film(tmp_path, capsys):
     assert record["frames"] == 3
     assert (tmp_path / "top.gif").read_bytes().startswith(b"GIF89a")
     assert [path.name for path in tmp_path.iterdir()] == ["top.gif"]
+
+
+def test_a_figure_as_wide_and_as_fine_as_is_asked(tmp_path):
+    assert run("paths", "-o", "paths.svg", "--width", "12.7") == 0
+    wide = re.search(
+        rb'width="([\d.]+)pt" height="([\d.]+)pt"', (tmp_path / "paths.svg").read_bytes()
+    )
+    assert float(wide[1]) == pytest.approx(360)
+    assert run("paths", "-o", "paths.png", "--width", "12.7", "--dpi", "100") == 0
+    header = (tmp_path / "paths.png").read_bytes()[16:20]
+    assert int.from_bytes(header, "big") == 500
+
+
+def test_a_film_as_long_and_as_fine_as_is_asked(tmp_path, capsys):
+    size = ("--seconds", "0.2", "--width", "5.08", "--dpi", "50")
+    assert run("top", "-o", "top.gif", *size, "--json") == 0
+    assert json.loads(capsys.readouterr().out)["frames"] == 4
+    content = (tmp_path / "top.gif").read_bytes()
+    assert int.from_bytes(content[6:8], "little") == 100
+    assert content.count(b"\x21\xf9\x04") == 4
+
+
+def test_a_number_out_of_range_is_told_with_the_range():
+    for option, text, said in (("--width", "1", "2 to 50"), ("--seconds", "x", "0.1 to 100")):
+        with pytest.raises(argparse.ArgumentError, match=f"not a number from {said}"):
+            run("cones", option, text)
 
 
 def test_a_folder_that_cannot_be_written(tmp_path):
