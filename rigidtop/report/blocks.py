@@ -337,6 +337,11 @@ class NameLine:
     words: tuple[str, ...] = ("Name", "Date")
 
 
+@dataclass(frozen=True)
+class Room:
+    """Blank paper for an answer, some hands high."""
+
+
 Block = (
     Heading
     | Paragraph
@@ -352,6 +357,7 @@ Block = (
     | Results
     | Legend
     | NameLine
+    | Room
 )
 
 

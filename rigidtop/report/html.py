@@ -403,6 +403,11 @@ def _(block: b.NameLine) -> str:
 
 
 @html_block.register
+def _(_: b.Room) -> str:
+    return '<div class="room"></div>'
+
+
+@html_block.register
 def _(block: b.Results) -> str:
     rows = (
         (

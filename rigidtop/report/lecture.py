@@ -370,7 +370,7 @@ def write_sheet(
 
 
 def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illustrated:
-    """Exercises one after the other, for a student without solutions and with a line to sign."""
+    """Exercises one after the other, for a student without solutions, to sign and to fill in."""
     notation, student, points = edition.notation, edition.student, edition.points
     if notation is not None:
         solutions = [solution_in(notation, each) for each in solutions]
@@ -387,7 +387,9 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     blocks += [marks.legend(new)] if new else []
     for number, each in enumerate(solutions, 1):
         blocks += handout.question(each.exercise, each.settings, number, points)
-        if not student:
+        if student:
+            blocks.append(b.Room())
+        else:
             blocks.append(b.Subhead("Solution"))
             blocks += handout.answer(each, parts, told)
             told = {j.claim.name: () for j in each.judgements} | told

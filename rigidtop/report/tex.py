@@ -46,6 +46,8 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
         # Without sections the title stands above all pages.
         kept = "" if contents else r"\def\markboth#1#2{}"
         contents += rf"\markboth{{}}{{{words}}}{kept}\thispagestyle{{plain}}"
+    # On a sheet of paper it stands at the end.
+    source = rf"{{\footnotesize\color{{muted}} {prose(document.colophon)}\par}}"
     byline = [rf"{{\normalsize {prose(document.byline)}\par}}"] if document.byline else []
     return visible(
         "\n".join(
@@ -56,10 +58,10 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
                 rf"{{\large\raggedright {prose(document.subtitle)}\par}}",
                 *byline,
                 r"\vspace{0.5\baselineskip}",
-                rf"{{\footnotesize\color{{muted}} {prose(document.colophon)}\par}}",
-                r"\vspace{0.5\baselineskip}",
+                *([source, r"\vspace{0.5\baselineskip}"] if document.contents else []),
                 contents,
                 body,
+                *([] if document.contents else [source]),
                 r"\end{document}",
                 "",
             ]
@@ -414,6 +416,11 @@ def _(block: b.Legend) -> str:
 @tex_block.register
 def _(block: b.NameLine) -> str:
     return r"\noindent " + r"\quad ".join(rf"{prose(word)}: \hrulefill" for word in block.words)
+
+
+@tex_block.register
+def _(_: b.Room) -> str:
+    return r"\par\vskip 45mm plus 1fil"
 
 
 @tex_block.register

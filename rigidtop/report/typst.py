@@ -33,15 +33,14 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     body = "\n\n".join(_joined(document.blocks, figures))
     depth = 2 if document.lecture else 3
     contents = f"#text(size: 9.5pt)[#outline(title: [Contents], depth: {depth})]"
+    source = f"#text(size: 9pt, fill: muted)[{prose(document.colophon)}]"
     made = "\n".join(
         [
             _preamble(document),
             f'#text(size: 17pt, weight: "bold")[{prose(document.title)}]',
             f"#v(-0.4em)\n#text(size: 12pt, fill: muted)[{prose(document.subtitle)}]\n",
             *([prose(document.byline) + "\n"] if document.byline else []),
-            f"#text(size: 9pt, fill: muted)[{prose(document.colophon)}]",
-            contents if document.contents else "",
-            body,
+            *([source, contents, body] if document.contents else [body, source]),
             "",
         ]
     )
@@ -344,6 +343,11 @@ def _(block: b.NameLine) -> str:
         f"[{prose(word)}: #box(width: 1fr, line(length: 100%))]" for word in block.words
     )
     return f"#grid(columns: {len(block.words)}, column-gutter: 2em, {columns})"
+
+
+@typst_block.register
+def _(_: b.Room) -> str:
+    return "#v(45mm)"
 
 
 @typst_block.register

@@ -34,6 +34,7 @@ from rigidtop.report.blocks import (
     NameLine,
     Paragraph,
     Results,
+    Room,
     Subhead,
     Table,
     Unit,
@@ -588,6 +589,11 @@ def test_a_sheet_is_signed_and_numbered(solutions, lines):
     heads = [block for block in document.blocks if isinstance(block, ExerciseHead)]
     assert [head.number for head in heads] == list(range(1, len(EXERCISES) + 1))
     assert {head.points for head in heads} == {"2.5 points"}
+    # There is room to write beneath each, and where it all comes from stands at the end.
+    assert document.blocks.count(Room()) == len(EXERCISES)
+    for source in (tex.write(document, {}), typst.write(document, {}), html.write(document, {})):
+        assert source.count("45mm") >= len(EXERCISES) or source.count('class="room"') == len(heads)
+        assert source.index("Sebastian") > source.rindex("Given")
     assert pictures == []
 
 
