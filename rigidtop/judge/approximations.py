@@ -49,6 +49,7 @@ def judged(question: Question) -> Judgement:
     defined = definitions.definition(question, question.left, question.right)
     if defined is None and question.at.closed:  # ω₁ ≈ w names w
         defined = definitions.definition(question, question.right, question.left)
+        defined = defined or definitions.nearly(question)
     if defined is not None:
         root = _nearly_root(question)
         if root is None:

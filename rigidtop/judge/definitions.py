@@ -81,6 +81,17 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     return Outcome(DEFINITION, why, frozenset(meaning.used), brings=brings), known
 
 
+def nearly(question: Question) -> Judgement | None:
+    """What ω₁ ≈ w calls the value of what hardly changes: a new letter for one that moves."""
+    name, left, context, at = question.right, question.left, question.context, question.at
+    known = context.letters | context.given | context.declared | context.definitions.keys()
+    if not isinstance(name, Letter) or name in known or left not in question.moving:
+        return None
+    brings = frozenset({in_words(name)})
+    outcome = Outcome(DEFINITION, f"what {in_words(name)} stands for", brings=brings)
+    return outcome, context.defining(name, Definition(left, at.number, at.scope))
+
+
 def _is_clock(question: Question, letter: Letter, other: Node, value: Value) -> bool:
     """Whether it is the time, by what is given in time itself: t = γ(t′ + v x′/c²)."""
     called = any(isinstance(x, n.Call) for x in n.walked(other))  # t = x(t)/u is put into others

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import inf
 
-from sympy import Add
+from sympy import Add, Expr
 
 from rigidtop.judge import (
     approximations,
@@ -130,6 +130,24 @@ def _nothing(question: Question) -> Judgement | None:
     return Outcome(UNDECIDED, _ALL_VANISH, question.rests_on_meaning), context
 
 
+def _forced(question: Question, terms: Sequence[Expr]) -> Judgement | None:
+    """What becomes of it in an answer where each of its terms has to vanish by what that supposes.
+
+    A constant of the answer's own that nothing sets is zero only as all has to be, and what it
+    supposes of what moves may go together with the facts only where that rests.
+    """
+    context = question.context
+    numbers = filter(None, map(jet_of, question.worlds.zeros))
+    stuck = any(settings.is_own(question, x) for x in numbers)
+    facts = tuple(c for c in context.constraints if c.number < 0 or c.instant)
+    if not question.at.closed or not (stuck or len(facts) < len(context.constraints)):
+        return None
+    general = replace(question.within(replace(context, constraints=facts)), asked=None)
+    if not stuck and general.worlds.count and general.worlds.vanish(terms):
+        return None
+    return Outcome(UNDECIDED, _ALL_VANISH, question.rests_on), context
+
+
 _ALL_VANISH = "each of its terms vanishes in the case that is supposed"
 
 
@@ -175,10 +193,7 @@ def _vacuous(question: Question) -> Judgement | None:
     if (terms and len(terms) < 2) or not question.worlds.vanish(terms):
         return None
     if not is_case:
-        # A constant of the answer's own that nothing sets is zero only as all has to be.
-        numbers = filter(None, map(jet_of, question.worlds.zeros))
-        stuck = question.at.closed and any(settings.is_own(question, x) for x in numbers)
-        return (Outcome(UNDECIDED, _ALL_VANISH, question.rests_on), context) if stuck else None
+        return _forced(question, terms)
     other = replace(question.within(general), asked=None)
     if other.worlds.holds(other.both):
         return None

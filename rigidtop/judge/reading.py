@@ -14,7 +14,7 @@ from typing import Final
 from rigidtop.judge.differentials import in_rates
 from rigidtop.judge.habits import functions_of, has_length
 from rigidtop.read.macros import Macro, Macros, customary, defined
-from rigidtop.read.passages import Passage, passages
+from rigidtop.read.passages import CONSTANT, Passage, passages
 from rigidtop.read.phrases import Cue
 from rigidtop.read.statements import statements
 from rigidtop.read.unmarked import as_tex, is_spelled
@@ -95,7 +95,7 @@ _LONGEST_LINK = 40
 def _continued(read: Read) -> Read:
     """A text in which "$a = b$ (as $c = d$) $= e$" says that b = e: it goes on with a chain.
 
-    What stands in brackets between comes before both.
+    What stands in brackets between comes before both; ω ≈ const = w says that ω ≈ w.
     """
     text: Read = []
     for passage, each in read:
@@ -104,6 +104,8 @@ def _continued(read: Read) -> Read:
             asides, last = text[chain + 1 :], text[chain]
             text[chain:] = [*asides, last]
             match each, last[1]:
+                case Statement(sides, (_, *links)), Statement((*_, link, n.Constant()), (*_, said)):
+                    each = replace(each, sides=(link, *sides[1:]), relations=(said, *links))
                 case Statement(sides), Statement((*_, link)):
                     each = replace(each, sides=(link, *sides[1:]), continues=True)
         text.append((passage, each))
@@ -120,7 +122,8 @@ def _goes_on(
         return False
     words = passage.before.rpartition("§")[2].strip()
     close = passage.display and len(words) <= _LONGEST_LINK and not _ENDS.search(words)
-    return passage.scope == before.scope and (close or words == "" or words[-1] == ")")
+    alone = words == "" or words[-1] == ")" or CONSTANT.fullmatch(words) is not None
+    return passage.scope == before.scope and (close or alone)
 
 
 _ENDS = re.compile(r"[.!?](?:\s|\Z)")

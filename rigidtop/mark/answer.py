@@ -36,7 +36,7 @@ from rigidtop.judge.sides import NEARLY, ZERO
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import in_time
 from rigidtop.judge.vocabulary import Meant
-from rigidtop.mark import variants
+from rigidtop.mark import linear, variants
 from rigidtop.mark.arrival import equalities, head, holds_on, is_reached, is_said, is_trivial
 from rigidtop.mark.assertions import asserted
 from rigidtop.mark.facts import GIVEN, is_turned, with_angles
@@ -126,7 +126,8 @@ class _Answer:
     `lost` what a right line leaves out; `in_body`: dots on vectors may be rates as they are seen
     from the body.  `moment` is the instant of which the last line speaks, and `aside` what is known
     in a case of which only the sentence with the number `aside_sentence` speaks, or the item of a
-    list that is `aside_scope`.
+    list that is `aside_scope`.  `linear` is what holds to first order, where something hardly
+    changes.
     """
 
     judge: Judge
@@ -144,6 +145,7 @@ class _Answer:
     aside: Context | None = None
     aside_sentence: int = -1
     aside_scope: tuple[int, ...] = ()
+    linear: Context | None = None
 
     @classmethod
     def begun(cls, source: str, read: Read, task: Task) -> _Answer:
@@ -182,6 +184,7 @@ class _Answer:
         if unclear and not self.believed:
             searched = judged((*self.contexts, self.names), self.judge)
             outcome = next((o for o, _ in searched if o.slip), outcome)
+        to_first_order, outcome = self._linearised(each, at, outcome, limits)
         there, aside = self._beside(each, at, outcome, limits)
         is_aside = bool(there.passed) or there.verdict in (PREMISE, DEFINITION)
         outcome = there if is_aside else outcome
@@ -222,6 +225,7 @@ class _Answer:
             aside=aside,
             aside_sentence=at.sentence if aside is not None else self.aside_sentence,
             aside_scope=at.scope if aside is not None else self.aside_scope,
+            linear=to_first_order,
         )
         return answer, outcome, place
 
@@ -282,6 +286,25 @@ class _Answer:
         if not (sets or (there.passed and not begins)):
             return Outcome(UNDECIDED), aside
         return there, known
+
+    def _linearised(
+        self, each: Statement, at: Situation, outcome: Outcome, limits: _Limits
+    ) -> tuple[Context | None, Outcome]:
+        """What holds to first order behind a line, and what becomes of it there where it fails."""
+        begun = linear.linearised(each, at.small, at.number, self.contexts[0])
+        if begun is not None:
+            [(named, known)] = _judged(self.judge, each, at, [begun], limits)
+            if named.passed and not outcome.passed:
+                outcome = replace(named, why=linear.TO_FIRST_ORDER)
+            return known, named if named.verdict == DEFINITION else outcome
+        if self.linear is None:
+            return None, outcome
+        [(there, known)] = _judged(self.judge, each, at, [self.linear], limits)
+        if there.passed and not outcome.passed:
+            outcome = replace(there, why=linear.TO_FIRST_ORDER)
+        elif there.verdict == FALSE and outcome.verdict == UNDECIDED:
+            outcome = there
+        return known, outcome
 
     def _is_beside(self, at: Situation) -> bool:
         """Whether a statement stands in the sentence, or in the item of a list, of an aside."""

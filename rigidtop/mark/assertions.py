@@ -74,7 +74,29 @@ def asserted(
             at = replace(at, cues=at.cues - {Cue.SMALL, Cue.APPROXIMATED} | {Cue.LARGE})
         statement, time = at_one_time(names.in_facts(each), moving)
         at = replace(at, instant=at.instant if time is None else instant_at(time))
-        yield position, statement, replace(at, closed=True, named=_names_case(passage, each))
+        at = replace(at, closed=True, named=_names_case(passage, each))
+        for one in _for_each_axis(statement, facts):
+            yield position, one, at
+
+
+def _for_each_axis(each: Statement, facts: Collection[Letter]) -> list[Statement]:
+    """What names a letter of the answer's own for any axis, I_k = λ_k, as said of all three."""
+    head = each.sides[0]
+    if not isinstance(head, Letter) or len(head.sub) != 1 or head.sub not in "ijklmn":
+        return [each]
+    inner = {x for side in each.sides[1:] for x in n.letters(side) if x.sub == head.sub}
+    numbered = {replace(x, sub=axis) for x in inner for axis in "123"}
+    if not inner or not numbered <= {*facts} or replace(head, sub="1") in facts:
+        return [each]
+
+    def along(axis: str) -> Statement:
+        def named(node: n.Node) -> n.Node:
+            own = isinstance(node, Letter) and node.sub == head.sub
+            return replace(node, sub=axis) if own else node  # type: ignore[type-var]
+
+        return replace(each, sides=tuple(n.mapped(side, named) for side in each.sides))
+
+    return [along(axis) for axis in "123"]
 
 
 _END = re.compile(r"[\s.]*\\(?:square|blacksquare|Box|qed|checkmark)[\s.]*")
@@ -207,14 +229,21 @@ def _explained_first(read: Read, facts: Collection[Letter]) -> list[int]:
     """The order in which what a letter of the answer's own stands for is before its first use.
 
     So a, b and c of a quadratic are known there, of which the text says behind it what they are.
+    A letter with a rate may be what an equation is solved for.
     """
     order: list[int] = []
+    sides = [x for _, each in read if isinstance(each, Statement) for x in each.sides]
+    solved = {x.of for side in sides for x in n.walked(side) if isinstance(x, n.Rate)}
     said = -1  # the sentence in which the last statement says what a letter stands for
     for number, (passage, each) in enumerate(read):
         place, name = len(order), _explained(each, facts)
         uses = (k for k, other in enumerate(order) if name in _letters(read[other][1]))
         first = next(uses, place) if name is not None else place
-        if first < place and _explained(read[order[first]][1], facts) != name:
+        if (
+            first < place
+            and name not in solved
+            and _explained(read[order[first]][1], facts) != name
+        ):
             before, use = read[order[first]]
             # What comes of one equation for one letter may be its solution; U(θ) is a name.
             assert isinstance(each, Statement)

@@ -241,14 +241,16 @@ def _otherwise(
     goals: tuple[Together, ...], given: Together, known: Context, calls: Sequence[Statement]
 ) -> tuple[Together, ...]:
     """Goals with what else says the same in words: what stays as it began is constant, of a chain
-    the ends are enough, and an axis may have another number where the facts are the same for all.
+    the ends are enough, an axis may have another number where the facts are the same for all, and
+    a scalar product with both lengths says the cosine.
     """
     kept = (*map(_kept, goals), *map(_ends, goals))
     turned = _turned(given)
     if turned != given and _holds(turned, known):
         once = tuple(_turned(_written_out(each, calls)) for each in kept)
         kept = (*kept, *once, *map(_turned, once))
-    return tuple(dict.fromkeys((*goals, *kept, *filter(None, map(_as_vector, kept)))))
+    others = (*map(_as_vector, kept), _cosine([x for together in goals for x in together]))
+    return tuple(dict.fromkeys((*goals, *kept, *filter(None, others))))
 
 
 def _written_out(together: Together, calls: Sequence[Statement]) -> Together:
@@ -287,6 +289,22 @@ def _as_vector(together: Together) -> Together:
         return ()
     vector = replace(first, sub="", bold=True)
     return (Statement((vector, n.Constant()), ("=",), 0),)
+
+
+def _cosine(said: Sequence[Statement]) -> Together:
+    """The cosine of the angle between two vectors whose product and squares are said."""
+    values = {
+        (x.sides[0].left, x.sides[0].right): x.sides[-1]
+        for x in reversed(said)
+        if isinstance(x.sides[0], n.Dot) and n.letters(x.sides[-1]) and x.relations == ("=",)
+    }
+    for (u, v), product in values.items():
+        if u != v and (u, u) in values and (v, v) in values:
+            size = n.Product((n.Absolute(u), n.Absolute(v)))
+            roots = n.Product((n.Root(values[u, u]), n.Root(values[v, v])))
+            sides = n.Quotient(n.Dot(u, v), size), n.Quotient(product, roots)
+            return (Statement(sides, ("=",), 0),)
+    return ()
 
 
 def _ends(together: Together) -> Together:

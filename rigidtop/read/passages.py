@@ -27,8 +27,9 @@ from rigidtop.read.phrases import Cue
 from rigidtop.read.prose import prose_of
 from rigidtop.read.walk import Formula
 
-_OPEN_ENDED = re.compile(r"(?:=|\\equiv)\s*\Z")
-_CONSTANT = re.compile(r"(?:const|konst|constante?|konstant)\b", re.I)
+_OPEN_ENDED = re.compile(r"(?:=|≈|\\(?:equiv|approx|simeq))\s*\Z")
+CONSTANT = re.compile(r"(?:const|konst|constante?|konstant|costante|cs?te|cst)\b", re.I)
+"""A word that stands for something constant."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +80,7 @@ def _said(words: str) -> frozenset[Cue]:
 
 def _completed(passage: Passage) -> Passage:
     """A passage with its last side, where that is the word behind it: $E = $ const."""
-    if _OPEN_ENDED.search(passage.text) and _CONSTANT.match(passage.behind):
+    if _OPEN_ENDED.search(passage.text) and CONSTANT.match(passage.behind):
         return replace(passage, text=passage.text + r"\text{const}")
     return passage
 

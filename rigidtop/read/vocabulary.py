@@ -161,7 +161,7 @@ FUNCTIONS: Final = listed(
     "arctanh artanh arsinh arcosh arcsinh arccosh sn cn dn max min Re Im"
 )
 """Functions that have a name."""
-CONSTANT: Final = listed("const constant konst konstant costante constante 常数 常量")
+CONSTANT: Final = listed("const constant konst konstant costante constante cste cte cst 常数 常量")
 LINES: Final = listed(
     "aligned align split gather gathered eqnarray equation alignat alignedat multline flalign "
     "subequations multlined dmath displaymath math IEEEeqnarray Aligned rcases empheq"
