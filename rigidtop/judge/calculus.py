@@ -10,7 +10,7 @@ import sympy
 from sympy import Expr, MatrixBase
 
 from rigidtop.judge import quadrature, series
-from rigidtop.judge.jets import TIME, at_instant, jet_of, jets, time_at
+from rigidtop.judge.jets import TIME, at_instant, jet_of, jets, symbols, time_at
 from rigidtop.judge.letters import INFINITY, MOMENTA
 from rigidtop.judge.particles import MASS, PARTICLES, REGION, VOLUME, is_over_body, part, tuples
 from rigidtop.judge.values import UnclearError, Value, added, multiplied, scaled
@@ -202,6 +202,7 @@ class Calculus(Vocabulary):
             momenta = {x for x in n.letters(of) if self.is_momentum(x)}
             meaning = meaning.with_(held=meaning.held | momenta)
         value = meaning.value(of)
+        value = meaning._written_in(of, by, value)
         if (
             isinstance(of, Letter)
             and value == self.free(of)
@@ -209,6 +210,17 @@ class Calculus(Vocabulary):
         ):
             raise UnclearError(f"nothing says what {of.base} is")
         return value, meaning
+
+    def _written_in(self, of: Node, by: Sequence[Node], value: Value) -> Value:
+        """A value, or another form of it, that has the letters by which it is differentiated."""
+        definition = self.definition(of) if isinstance(of, Letter) else None
+        names = {x for x in by if isinstance(x, Letter) and x in self.held}
+        if definition is None or not names or isinstance(value, MatrixBase):
+            return value
+        missing = {self.free(x) for x in names} - symbols(value)
+        forms = (x for x in definition.also if names <= n.letters(x))
+        form = next(forms, None) if missing else None
+        return value if form is None else self.scalar(form)
 
     def _held_for(self, function: Letter) -> Self:
         """Momenta that a function is written in stay what they are while it is differentiated."""

@@ -127,7 +127,7 @@ def _nothing(question: Question) -> Judgement | None:
     general = replace(question.within(replace(context, definitions=named)), asked=None)
     if judged(general)[0].passed:
         return None
-    return Outcome(UNDECIDED, _ALL_VANISH, question.rests_on_meaning), context
+    return Outcome(UNDECIDED, ALL_VANISH, question.rests_on_meaning), context
 
 
 def _forced(question: Question, terms: Sequence[Expr]) -> Judgement | None:
@@ -145,10 +145,10 @@ def _forced(question: Question, terms: Sequence[Expr]) -> Judgement | None:
     general = replace(question.within(replace(context, constraints=facts)), asked=None)
     if not stuck and general.worlds.count and general.worlds.vanish(terms):
         return None
-    return Outcome(UNDECIDED, _ALL_VANISH, question.rests_on), context
+    return Outcome(UNDECIDED, ALL_VANISH, question.rests_on), context
 
 
-_ALL_VANISH = "each of its terms vanishes in the case that is supposed"
+ALL_VANISH = "each of its terms vanishes in the case that is supposed"
 
 
 def _numbers(question: Question) -> Judgement:
@@ -197,7 +197,7 @@ def _vacuous(question: Question) -> Judgement | None:
     other = replace(question.within(general), asked=None)
     if other.worlds.holds(other.both):
         return None
-    return Outcome(UNDECIDED, _ALL_VANISH, question.rests_on), context
+    return Outcome(UNDECIDED, ALL_VANISH, question.rests_on), context
 
 
 def _is_case(constraint: Constraint, moving: frozenset[Letter]) -> bool:

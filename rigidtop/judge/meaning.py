@@ -73,7 +73,8 @@ def _number(_: Meaning, node: n.Number) -> Expr:
 def _power(meaning: Meaning, node: n.Power) -> Value:
     e = Letter("e")
     if node.base == e and e not in meaning.context.habits.own:
-        return sympy.exp(meaning.scalar(node.exponent))
+        power = meaning.value(node.exponent)
+        return _exponential(power) if isinstance(power, MatrixBase) else sympy.exp(power)
     base = meaning.value(node.base)
     exponent = meaning.scalar(node.exponent)
     if isinstance(base, MatrixBase):
@@ -84,6 +85,17 @@ def _power(meaning: Meaning, node: n.Power) -> Value:
         if not exponent.is_Integer or base.rows != base.cols:
             raise UnclearError("a power of a matrix")
     return base**exponent
+
+
+def _exponential(matrix: MatrixBase) -> Value:
+    """Of a matrix with two rows, by what its square is where it has no trace."""
+    if matrix.shape != (2, 2):
+        raise UnclearError("an exponential of a matrix that has not two rows is not judged")
+    half = matrix.trace() / 2
+    rest = matrix - half * sympy.eye(2)
+    turn = sympy.sqrt(rest.det())  # of J, with J² = −1, it is 1
+    inner = sympy.cos(turn) * sympy.eye(2) + sympy.sin(turn) / turn * rest
+    return ImmutableMatrix(sympy.exp(half) * inner)
 
 
 def _apply(meaning: Meaning, node: n.Apply) -> Value:

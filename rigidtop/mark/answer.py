@@ -16,10 +16,12 @@ from itertools import pairwise
 
 from rigidtop.errors import RigidtopError
 from rigidtop.judge.context import LAW, SETTING, START, Constraint, Context, Definition, Habits
+from rigidtop.judge.equality import ALL_VANISH
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.laws import LAGRANGIANS
 from rigidtop.judge.letters import CLOCK
+from rigidtop.judge.names import vector_of
 from rigidtop.judge.neighbours import around
 from rigidtop.judge.outcome import (
     DEFINITION,
@@ -41,7 +43,7 @@ from rigidtop.mark.arrival import equalities, head, holds_on, is_reached, is_sai
 from rigidtop.mark.assertions import asserted
 from rigidtop.mark.facts import GIVEN, is_turned, with_angles
 from rigidtop.mark.marking import Mark, Marked, Marking
-from rigidtop.mark.task import Branch, Task, Together, letters
+from rigidtop.mark.task import ALWAYS, Branch, Task, Together, letters
 from rigidtop.read.phrases import Cue
 from rigidtop.read.walk import places
 from rigidtop.tree import nodes as n
@@ -87,7 +89,10 @@ def mark(
             lines.append(Marked(at, text, Mark.UNREAD, each.reason, position=position))
             continue
         assert isinstance(situated, Situation)
-        answer, outcome, place = answer.after(each, situated, _Limits(a_line, until))
+        after, outcome, place = answer.after(each, situated, _Limits(a_line, until))
+        if situated.asked and outcome.verdict == UNDECIDED:
+            continue  # "Ω = 0 is no solution" says nothing of what holds
+        answer = after
         wrong = next((x.line for x in lines if x.mark is Mark.WRONG), 0)
         marked = _marked(at, each, outcome, answer, wrong, task.words[place])
         lines.append(replace(marked, position=position))
@@ -184,6 +189,11 @@ class _Answer:
         if unclear and not self.believed:
             searched = judged((*self.contexts, self.names), self.judge)
             outcome = next((o for o, _ in searched if o.slip), outcome)
+        if outcome.verdict == FALSE and not outcome.slip and not self.believed:
+            free = _free_letters(each, self.contexts[place])
+            # It may say what is meant with them.
+            why = f"it does not follow from what is said of {', '.join(map(plain, free))}"
+            outcome = Outcome(UNDECIDED, why) if free else outcome
         to_first_order, outcome = self._linearised(each, at, outcome, limits)
         there, aside = self._beside(each, at, outcome, limits)
         is_aside = bool(there.passed) or there.verdict in (PREMISE, DEFINITION)
@@ -350,6 +360,17 @@ class _Answer:
         ]
 
 
+def _free_letters(each: Statement, context: Context) -> list[Letter]:
+    """The letters that no facts know, not even as a part of a vector, and nothing says they are."""
+    known = ALWAYS | context.given | context.declared | context.definitions.keys()
+
+    def is_known(x: Letter) -> bool:
+        return {x, vector_of(x), replace(x, sub=x.sub.strip("±∓"))} & known != set()
+
+    held = frozenset().union(*(c.letters for c in context.constraints if c.number >= 0))
+    return sorted((x for x in letters(each) - held if not is_known(x)), key=plain)
+
+
 def _without_facts(context: Context) -> Context:
     """A context with what the answer itself has set, and with no law."""
     own = tuple(c for c in context.constraints if c.number >= 0)
@@ -372,9 +393,11 @@ def _believing(context: Context, each: Statement) -> Context:
 def _best(outcomes: Sequence[Outcome], contexts: Sequence[Context]) -> int:
     """In which context a line does best: it follows, else is set or named, else is wrong.
 
-    What names a letter that another context knows says nothing.
+    What names a letter that another context knows says nothing, nor does that a line is wrong in
+    general if it is open in the special case.
     """
-    kinds = (DEFINITION, PREMISE, FALSE, UNDECIDED)
+    special = outcomes[-1].verdict == UNDECIDED and outcomes[-1].why != ALL_VANISH
+    kinds = (DEFINITION, PREMISE, *((UNDECIDED, FALSE) if special else (FALSE, UNDECIDED)))
     names = {plain(x) for context in contexts for x in context.given}
 
     def place(k: int) -> tuple[bool, bool, int, bool]:

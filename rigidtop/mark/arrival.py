@@ -127,7 +127,7 @@ def comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> b
     vectors = {x.base for x in allowed if x.bold and not x.sub}
     allowed |= {x for each in sound for x in _letters(each) if x.base in vectors and x.sub}
     # What the vector is says what its components are.
-    wholes = {vector_of(x) for x in _letters(goal) if x.sub} & context.definitions.keys()
+    wholes = {vector_of(x) for x in _letters(goal.sides[0]) if x.sub} & context.definitions.keys()
     allowed |= wholes | (_axes(context) if wholes or has_components(goal) else frozenset())
     # Constants of the answer's own may tie what the goal speaks of, as in ω₂ = u exp(σ t).
     written = frozenset().union(*map(_letters, sound))

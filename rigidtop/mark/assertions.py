@@ -147,7 +147,8 @@ def _is_supposed(passage: Passage, each: Statement) -> bool:
 
 
 _CASE = re.compile(
-    r"\b(?:if|for|at|when|where|while|unless|except|either|or|case|even|only"
+    r"\b(?:(?:at|in) (?:the|this|that|an?) \w+(?: \w+)?"
+    r"|if|for|at|when|where|while|unless|except|either|or|case|even|only"
     r"|wenn|falls|für|bei|wo|nur|entweder|oder|fall|si|pour|où|quand|cas)\W*\Z",
     re.I,
 )

@@ -6,8 +6,11 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from sympy import ImmutableMatrix
+
 from rigidtop.judge.context import Context, Definition
 from rigidtop.judge.meaning import AT_REST, IN_BODY
+from rigidtop.judge.vocabulary import Meant
 from rigidtop.mark.facts import GIVEN
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
@@ -60,7 +63,7 @@ _VERTICAL = Letter("z", mark="hat", bold=True)
 def aligned(
     each: Statement, contexts: tuple[Context, ...]
 ) -> tuple[Statement, tuple[Context, ...]]:
-    """What L_z = L, or **L** = L **ẑ**, supposes: that **L** lies along **ẑ**, and L is L_z.
+    """What L_z = L, **L** = L **ẑ** or (0, 0, L) suppose: **L** lies along **ẑ**, and L is L_z.
 
     Of a length that is equal to a component no world knows in which direction it may change.
     """
@@ -71,20 +74,23 @@ def aligned(
             axis == _VERTICAL
         ):
             pass
+        case (Letter(bold=True) as vector, n.Tuple((x, y, Letter() as length))) if (
+            x == y == n.Number("0")
+        ):
+            pass
         case _:
             return each, contexts
     if replace(vector, bold=False) != length:
         return each, contexts
-    component = Definition(n.Dot(vector, _VERTICAL), GIVEN)
-    known = tuple(
-        replace(x.defining(length, component), not_zero=(*x.not_zero, length))
-        if {vector, _VERTICAL} <= x.definitions.keys()
-        else x
-        for x in contexts
-    )
-    if known == contexts:
+    if not all(vector in x.definitions for x in contexts):
         return each, contexts
-    along = replace(each, sides=(n.Cross(vector, _VERTICAL), n.Number("0")), relations=("=",))
+    named = all(_VERTICAL in x.definitions for x in contexts)
+    up: Node = _VERTICAL if named else Meant(ImmutableMatrix([0, 0, 1]))
+    component = Definition(n.Dot(vector, up), GIVEN)
+    known = tuple(
+        replace(x.defining(length, component), not_zero=(*x.not_zero, length)) for x in contexts
+    )
+    along = replace(each, sides=(n.Cross(vector, up), n.Number("0")), relations=("=",))
     return along, known
 
 

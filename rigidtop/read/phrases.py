@@ -416,6 +416,7 @@ BEHIND: dict[Cue, tuple[str, ...]] = {
     Cue.ASKED: (
         r"[^.]*\?",
         r",? ?(?:would be|is|are|was) (?:wrong|false|not true|no longer)|,? ?does not hold",
+        r",? ?(?:is|are|ist|est) (?:no|not an?|keine?|pas une) (?:solution|root|Lösung|racine)",
     ),
 }
 """The words directly behind a formula."""
