@@ -5,33 +5,12 @@
 # in a frame that turns with the body, and get three short equations. Two questions follow. About
 # which axes can a body rotate steadily? And what does it do when it is pushed a little?
 #
-# You need nothing but the definition $\mathbf{L} = I\boldsymbol{\omega}$. The first cell makes
-# symbols look as in the notes: from then on `lambda1` prints as $\lambda_1$ and `omega1dot` as
+# You need nothing but the definition $\mathbf{L} = I\boldsymbol{\omega}$. The first cell brings
+# the letters of the notes, which print as there: `lambda1` as $\lambda_1$, `omega1dot` as
 # $\dot\omega_1$.
 
 # %%
-import numpy as np
-from sympy import Matrix, diag, factor
-
-import rigidtop as rt
-from rigidtop.figures.style import FIRST, GREY, SECOND, THIRD
-from rigidtop.proof.equation import Equation
-from rigidtop.report.notebook import enable, figure, plot, sliders
-from rigidtop.theory.symbols import (
-    L_vec,
-    lambda1,
-    lambda2,
-    lambda3,
-    omega1,
-    omega1dot,
-    omega2,
-    omega2dot,
-    omega3,
-    omega3dot,
-    sigma2,
-)
-
-enable()
+from rigidtop.notebook import *
 
 # %% [markdown]
 # ## From $\dot{\mathbf{L}} = 0$ to Euler's equations
@@ -206,7 +185,7 @@ sliders(
     push=(0.001, 0.01, 0.3),
 )
 
-# %% [markdown]
+# %% [markdown] tags=["lecturer"]
 # ## What the notes say, judged
 #
 # The notes say that rotation is stable about the axes of the largest and of the smallest moment,
@@ -215,17 +194,15 @@ sliders(
 # it is that no other moment *equals* that of the axis. The counterexample stands beside the
 # condition.
 
-# %%
-from rigidtop.derivations.eulers_equations import axis_stability, off_axis
+# %% tags=["lecturer"]
+verdict("axis-stability")
 
-axis_stability
-
-# %% [markdown]
+# %% [markdown] tags=["lecturer"]
 # The same gap shows in the sentence that $\boldsymbol{\omega}$ *must* change if it does not lie
 # along a principal axis and two components are not zero: the two moments have to differ.
 
-# %%
-off_axis
+# %% tags=["lecturer"]
+verdict("off-axis-changes")
 
 # %% [markdown]
 # ## Exercises
@@ -234,7 +211,21 @@ off_axis
 #
 # Linear theory says nothing about late times. Show that $2\lambda_3 T - L^2$ is conserved, and that
 # it does not contain $\omega_3$. Why does that prove stability about $\mathbf{e}_3$ *for all times*
-# if $\lambda_3$ is the largest or the smallest moment? Why not if it is the middle one?
+# if $\lambda_3$ is the largest or the smallest moment? Why not if it is the middle one? Give both
+# weights, those of $\omega_1^2$ and $\omega_2^2$, for the body of this notebook.
+#
+# <details><summary>First hint</summary>
+#
+# Write out $2\lambda_3 T$ and $L^2$ in $\omega_1, \omega_2, \omega_3$ before you subtract.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# The factor before $\omega_1^2$ is $\lambda_1(\lambda_3-\lambda_1)$. Which signs can it have, and
+# which the other?
+#
+# </details>
 
 # %% tags=["solution"]
 conserved = factor(lambda3 * omega.dot(L) - L.dot(L))
@@ -249,16 +240,33 @@ conserved.expand().collect([omega1, omega2], factor), along_the_motion(conserved
 # The same with all steps, and numbers for the body of this notebook (assignment 5 of the notes):
 
 # %% tags=["solution"]
-from rigidtop.report.notebook import solution
-
 solution("stable-axes", lambda1=1.0, lambda2=2.0, lambda3=3.0)
+
+# %% tags=["check"]
+# %%answer exercise-1.1 --hint tries
+# weight_1 = 2.0 kg² m⁴
+# weight_2 = 2.0 kg² m⁴
 
 # %% [markdown]
 # ### Exercise 1.2
 #
 # A coin-like body has $\lambda_1 = \lambda_2 = 2$ and $\lambda_3 = 3$ kg m². It rotates at 2 rad/s
 # about $\mathbf{e}_1$, which has the *smallest* moment. What is $\sigma^2$? Push it by 0.01 rad/s
-# along $\mathbf{e}_3$ and look at $\omega_1$ for 700 s. Is this rotation stable?
+# along $\mathbf{e}_3$ and look at $\omega_1$ for 700 s. Is this rotation stable? How long is a
+# quarter of the period of $\omega_1$?
+#
+# <details><summary>First hint</summary>
+#
+# Rename the axes in the formula for $\sigma^2$: now $\mathbf{e}_1$ plays the part of
+# $\mathbf{e}_3$.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# $\omega_3$ is constant. With it the other two equations are an oscillator, however slow.
+#
+# </details>
 
 # %% tags=["solution"]
 coin = rt.FreeBody(2.0, 2.0, 3.0)
@@ -278,11 +286,28 @@ with plot("ω₁ and ω₂ of the coin: slow full oscillations", 4.5, 2.2) as ax
 # after a quarter of $2\pi/|\Omega_b|$ the axis $\mathbf{e}_1$ has been left altogether. It is not
 # stable, although its moment is the smallest: this is the condition that the notes leave out.
 
+# %% tags=["check"]
+# %%answer exercise-1.2 --hint tries
+# sigma_squared = 0.0 1/s²
+# quarter = 314.2 s
+
 # %% [markdown]
 # ### Exercise 1.3
 #
 # Make the push about the middle axis ten times smaller, again and again. By how much longer does
 # the body with moments 1, 2, 3 kg m² wait between two flips? Explain the number by $\sigma$.
+#
+# <details><summary>First hint</summary>
+#
+# Near the middle axis a deviation grows as $e^{\sigma t}$. How long until it is ten times as large?
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# It also has to shrink on the way in: a flip begins and ends near the axis.
+#
+# </details>
 
 # %% tags=["solution"]
 waits = []
@@ -300,12 +325,30 @@ print(
 # Between two flips a deviation shrinks as $e^{-\sigma t}$ to about the size of the push, and grows
 # again as $e^{\sigma t}$. A push ten times smaller costs $\ln 10/\sigma$ on each side.
 
+# %% tags=["check"]
+# %%answer exercise-1.3 --hint tries
+# longer = 3.99 s
+
 # %% [markdown]
 # ### Exercise 1.4
 #
 # Throw a phone, with the moments $\lambda_1 : \lambda_2 : \lambda_3 = 0.21 : 0.80 : 1$ in units of
 # the largest, so that it turns twice a second about $\mathbf{e}_2$. Your hand is never better than
-# 5 degrees. How long until it has turned over for the first time?
+# 5 degrees. How long until it has turned over for the first time? Let $\boldsymbol{\omega}$ lean
+# towards $\mathbf{e}_1$, then towards $\mathbf{e}_3$, and wait until $\omega_2$ changes its sign.
+#
+# <details><summary>First hint</summary>
+#
+# Start with $\omega\sin 5°$ along one axis and $\omega\cos 5°$ along $\mathbf{e}_2$, with $\omega =
+# 4\pi$ rad/s.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# `motion.exact(times).omega[:, 1]` is $\omega_2$; find where it first is negative.
+#
+# </details>
 
 # %% tags=["solution"]
 phone = rt.FreeBody(0.21, 0.80, 1.0)
@@ -317,3 +360,8 @@ for name, start in (
     path = phone.motion(omega=start).exact(np.linspace(0.0, 2.0, 20001))
     first = path.t[np.argmax(path.omega[:, 1] < 0)]
     print(f"5° {name}: ω₂ changes its sign after {first:.2f} s")
+
+# %% tags=["check"]
+# %%answer exercise-1.4 --hint tries
+# towards_e1 = 0.40 s
+# towards_e3 = 0.38 s

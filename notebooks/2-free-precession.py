@@ -7,32 +7,7 @@
 # follow a real body that tumbles, the asteroid Toutatis, and compare with radar observations.
 
 # %%
-import numpy as np
-from sympy import Function, Matrix, cos, diag, dsolve
-
-import rigidtop as rt
-from rigidtop.figures.cones import draw_cones
-from rigidtop.figures.style import FIRST, SECOND, THIRD
-from rigidtop.proof.equation import Equation
-from rigidtop.report.notebook import enable, figure, plot, sliders, steps
-from rigidtop.theory.euler import body_accelerations
-from rigidtop.theory.symbols import (
-    L_vec,
-    Omega_b,
-    lambda1,
-    lambda2,
-    lambda3,
-    omega1dot,
-    omega2,
-    omega2dot,
-    omega3,
-    omega3dot,
-    omega_0,
-    omega_vec,
-    t,
-)
-
-enable()
+from rigidtop.notebook import *
 
 # %% [markdown]
 # ## Euler's equations for two equal moments
@@ -60,11 +35,11 @@ Equation(Omega_b, frequency)
 
 # %%
 swing = Function("omega_1", real=True)
-solution = dsolve(
+oscillation = dsolve(
     swing(t).diff(t, 2) + Omega_b**2 * swing(t),
     ics={swing(0): omega_0, swing(t).diff(t).subs(t, 0): 0},
 )
-first = solution.rhs.rewrite(cos).simplify()
+first = oscillation.rhs.rewrite(cos).simplify()
 in_body = Matrix([first, first.diff(t) / Omega_b, omega3])
 Equation(omega_vec, in_body)
 
@@ -89,15 +64,13 @@ triple = axis.dot(in_body.cross(L)).simplify()
 combination = (lambda1 * in_body + (lambda3 - lambda1) * omega3 * axis - L).expand()
 triple, combination.T
 
-# %% [markdown]
+# %% [markdown] tags=["lecturer"]
 # The notes draw the same conclusion, but from the fact that the *angle* between
 # $\boldsymbol{\omega}$ and $\mathbf{L}$ is constant. That is not enough. The verdict below keeps
 # the claim, and gives two vectors that keep their angle and still leave the plane.
 
-# %%
-from rigidtop.derivations.precession_of_rotation_axis import coplanar
-
-coplanar
+# %% tags=["lecturer"]
+verdict("coplanar")
 
 # %% [markdown]
 # ## In space
@@ -162,12 +135,6 @@ sliders(
 # state in 1992 are those of Takahashi, Busch & Scheeres (2013); we count in days.
 
 # %%
-from datetime import datetime
-
-from scipy.spatial.transform import Rotation
-
-from rigidtop.derivations import toutatis
-
 asteroid = rt.FreeBody(*map(float, toutatis.MOMENTS))
 
 
@@ -227,10 +194,8 @@ with plot("body rates of Toutatis: curves computed, dots observed", height=2.7) 
 # the *largest* moment. So a body that loses energy ends there. Toutatis turns so slowly that it has
 # not yet.
 
-# %%
-from rigidtop.derivations.precession_of_rotation_axis import example_33
-
-example_33
+# %% tags=["lecturer"]
+verdict("example-33")
 
 # %% [markdown]
 # ## Exercises
@@ -241,6 +206,18 @@ example_33
 # how many days would a free precession of its rotation axis in the body be completed? (The
 # wobble that Chandler found has a period of 433 days today, as the Earth is not rigid.) Which way
 # does it go round?
+#
+# <details><summary>First hint</summary>
+#
+# You need $(\lambda_1-\lambda_3)/\lambda_1$. What is it, if $H = (\lambda_3-\lambda_1)/\lambda_3$?
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# It is $-H/(1-H) = -1/304$, and $\omega_3$ is nearly the whole rate of rotation.
+#
+# </details>
 
 # %% tags=["solution"]
 H = 1 / 305
@@ -254,12 +231,28 @@ print(f"Ω_b = {rate:.5f} rad/day, 2π/|Ω_b| = {2 * np.pi / abs(rate):.1f} days
 # rotates. As $\tau_b = 2\pi/\Omega_b$ of the notes is negative here, it should be read with
 # $|\Omega_b|$.
 
+# %% tags=["check"]
+# %%answer exercise-2.1 --hint tries
+# period = 303.2 days
+
 # %% [markdown]
 # ### Exercise 2.2
 #
 # A dinner plate is thrown with a small wobble. In the space frame, how many wobbles does it make
 # for one turn of its pattern about $\mathbf{e}_3$? (A flat disc has $\lambda_3 = 2\lambda_1$.
 # Feynman remembered the answer the wrong way round.)
+#
+# <details><summary>First hint</summary>
+#
+# The wobble is the motion of $\mathbf{e}_3$ about $\mathbf{L}$, with the rate $L/\lambda_1$.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# For a small wobble $L$ is nearly $\lambda_3\omega_3$.
+#
+# </details>
 
 # %% tags=["solution"]
 plate = rt.FreeBody(1.0, 1.0, 2.0)
@@ -272,16 +265,32 @@ for tilt in (0.3, 0.1, 0.01):
 # $\mathbf{e}_3$ to $\mathbf{L}$. For a small wobble that is $2\omega_3$: two wobbles a turn.
 
 # %% tags=["solution"]
-from rigidtop.report.notebook import solution
-
 solution("wobbling-plate")
+
+# %% tags=["check"]
+# %%answer exercise-2.2 --hint tries
+# wobbles = 2.0
 
 # %% [markdown]
 # ### Exercise 2.3
 #
 # How are $\Omega_s$, $\Omega_b$ and $\omega_3$ related? Let $\beta$ be the angle between
 # $\mathbf{L}$ and $\mathbf{e}_3$. Show that $\omega_3 = \Omega_s\cos\beta + \Omega_b$. What does
-# this say about the Euler angles $\phi$ and $\psi$ with $\mathbf{L}$ as the vertical?
+# this say about the Euler angles $\phi$ and $\psi$ with $\mathbf{L}$ as the vertical? Give
+# $\Omega_s$, $\Omega_b$ and $\beta$ for the long body above, with $\boldsymbol{\omega} = (0.45, 0,
+# 1)$ rad/s.
+#
+# <details><summary>First hint</summary>
+#
+# $L_3 = L\cos\beta = \lambda_3\omega_3$.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# Divide by $\lambda_1$, and add $\Omega_b = (\lambda_1-\lambda_3)\omega_3/\lambda_1$.
+#
+# </details>
 
 # %% tags=["solution"]
 # cos β = L₃/L and Ω_s = L/λ₁, so their product is L₃/λ₁.
@@ -291,12 +300,30 @@ solution("wobbling-plate")
 # It says $\omega_3 = \dot\phi\cos\theta + \dot\psi$ with $\theta = \beta$, $\dot\phi = \Omega_s$
 # and $\dot\psi = \Omega_b$: free precession is a steady precession without weight.
 
+# %% tags=["check"]
+# %%answer exercise-2.3 --hint tries
+# Omega_s = 0.7106 rad/s
+# Omega_b = 0.450 rad/s
+# beta = 39.3°
+
 # %% [markdown]
 # ### Exercise 2.4
 #
 # Suppose friction slowly takes energy from Toutatis while $\mathbf{L}$ stays. How much of its
 # kinetic energy is lost when it rotates about the axis of the largest moment? About which axis did
-# it rotate with the *most* energy?
+# it rotate with the *most* energy? What share of its energy is left?
+#
+# <details><summary>First hint</summary>
+#
+# For rotation about a principal axis $T = L^2/2\lambda$.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# With the same $L$ the energy is least for the largest moment, and most for the smallest.
+#
+# </details>
 
 # %% tags=["solution"]
 momentum = np.linalg.norm(path.angular_momentum[0])
@@ -304,3 +331,7 @@ now = path.energy[0]
 least, most = momentum**2 / (2 * asteroid.lambda2), momentum**2 / (2 * asteroid.lambda3)
 print(f"now T is {now / most:.3f} of the most that this L allows (about e₃, the long axis)")
 print(f"at the end {least / now:.3f} of the present energy is left, about e₂")
+
+# %% tags=["check"]
+# %%answer exercise-2.4 --hint tries
+# left = 0.518

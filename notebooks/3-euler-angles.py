@@ -7,32 +7,7 @@
 # notes call $O^T$. Is it?
 
 # %%
-import numpy as np
-from sympy import Matrix, cos, diag, eye, pi, sin
-
-import rigidtop as rt
-from rigidtop.figures.style import FIRST, GREY, SECOND
-from rigidtop.proof.equation import Equation
-from rigidtop.report.notebook import enable, figure, sliders
-from rigidtop.theory.symbols import (
-    L3,
-    L_z,
-    O_matrix,
-    T,
-    lambda1,
-    lambda3,
-    omega_vec,
-    phi,
-    phidot,
-    psi,
-    psidot,
-    theta,
-    thetadot,
-    zhat,
-)
-from rigidtop.theory.trig import reduce_trig
-
-enable()
+from rigidtop.notebook import *
 
 # %% [markdown]
 # ## Three turns
@@ -85,13 +60,14 @@ body_axis = Matrix([0, 0, 1])
 
 # %% [markdown]
 # The first is $\mathbf{e}_3$ in space. The second is something else: $\hat{\mathbf{z}}$ in the
-# body. So the printed matrix is $O$, not $O^T$. The verdict *convention* says: right in content,
-# but at odds with the notes' own definitions. One set of angles is enough to see it:
+# body. So the printed matrix is $O$, not $O^T$.
 
-# %%
-from rigidtop.derivations.rotation_matrices import euler_angle_matrix
+# %% [markdown] tags=["lecturer"]
+# The verdict *convention* says: right in content, but at odds with the notes' own definitions. One
+# set of angles is enough to see it:
 
-euler_angle_matrix
+# %% tags=["lecturer"]
+verdict("3.47")
 
 # %% [markdown]
 # ## $\boldsymbol{\omega}$ from the matrix
@@ -100,13 +76,15 @@ euler_angle_matrix
 # $\dot{\mathbf{r}} = \dot O O^T\mathbf{r}$. But $\dot{\mathbf{r}} =
 # \boldsymbol{\omega}\times\mathbf{r}$. Therefore $\dot O O^T$ is the matrix of
 # "$\boldsymbol{\omega}\times$", and we can read $\boldsymbol{\omega}$ off it. $\dot O$ comes by the
-# chain rule.
+# chain rule. The matrix has to be antisymmetric, so we add its transpose:
 
 # %%
 rate = O.diff(phi) * phidot + O.diff(theta) * thetadot + O.diff(psi) * psidot
 cross = reduce_trig(rate * O.T)
+cross + cross.T
+
+# %%
 in_space = Matrix([cross[2, 1], cross[0, 2], cross[1, 0]])
-assert (cross + cross.T).is_zero_matrix  # it is antisymmetric
 Equation(omega_vec, in_space)
 
 # %% [markdown]
@@ -145,20 +123,19 @@ Equation(T, kinetic.expand().collect([lambda1, lambda3], lambda x: x.factor()))
 # will be the constants of the top. Take both from the $\mathbf{L}$ above, and solve for $\dot\phi$:
 
 # %%
-from sympy import solve
-
 along_z = vertical[0] * L[0] + vertical[2] * L3
 [solved] = solve(along_z - L_z, phidot)
 [Equation(L_z, along_z), Equation(phidot, solved)]
 
 # %% [markdown]
 # That is (3.45). We divided by $\lambda_1\sin^2\theta$, and so lost the upright top: there $L_z =
-# L_3$, and the right side is 0/0. The verdict names the condition:
+# L_3$, and the right side is 0/0.
 
-# %%
-from rigidtop.derivations.euler_angles import azimuthal_rate
+# %% [markdown] tags=["lecturer"]
+# The verdict names the condition:
 
-azimuthal_rate
+# %% tags=["lecturer"]
+verdict("3.45")
 
 # %% [markdown]
 # A motion that comes close to the upright shows what this means. The axis passes $\hat{\mathbf{z}}$
@@ -199,8 +176,6 @@ sliders(
 # different attitudes.
 
 # %%
-from rigidtop.theory.rotation import rotation_x
-
 quarter_x, quarter_y = rotation_x(pi / 2), turn_y(pi / 2)
 reduce_trig(O.T * O) - eye(3), quarter_x * quarter_y, quarter_y * quarter_x
 
@@ -210,6 +185,21 @@ reduce_trig(O.T * O) - eye(3), quarter_x * quarter_y, quarter_y * quarter_x
 # ### Exercise 3.1
 #
 # $O^T$ undoes $O$. Which Euler angles has the rotation $O^T$? Check your answer with the matrices.
+# Take $\phi = 30°$, $\theta = 40°$, $\psi = 50°$, and give three angles between 0 and 180° for
+# $O^T$.
+#
+# <details><summary>First hint</summary>
+#
+# To undo three turns, undo the last one first.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# A negative $\theta$ is a positive one after half a turn: $R_y(-\theta) =
+# R_z(\pi)R_y(\theta)R_z(-\pi)$.
+#
+# </details>
 
 
 # %% tags=["solution"]
@@ -223,15 +213,32 @@ euler(-psi, -theta, -phi) - O.T
 # The three turns are undone in the opposite order: $(-\psi, -\theta, -\phi)$. If $\theta$ is to lie
 # between 0 and $\pi$, take $(\pi-\psi, \theta, -\pi-\phi)$, which is the same rotation.
 
+# %% tags=["check"]
+# %%answer exercise-3.1 --hint tries
+# phi = 130°
+# theta = 40°
+# psi = 150°
+
 # %% [markdown]
 # ### Exercise 3.2
 #
 # Different angles may give the same attitude. Show that for $\theta = 0$ only $\phi + \psi$
-# matters. Which combination matters for $\theta = \pi$?
+# matters. Which combination matters for $\theta = \pi$? At $\theta = 180°$, which $\psi$ goes with
+# $\phi = 80°$, if the attitude is that of $\phi = 70°$ and $\psi = 20°$?
+#
+# <details><summary>First hint</summary>
+#
+# For $\theta = 0$ the middle matrix is the unit matrix.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# For $\theta = \pi$ it turns the third axis round: $R_y(\pi)R_z(\psi) = R_z(-\psi)R_y(\pi)$.
+#
+# </details>
 
 # %% tags=["solution"]
-from sympy import simplify
-
 (
     (euler(phi, 0, psi) - euler(phi + psi, 0, 0)).applyfunc(simplify),
     (euler(phi, pi, psi) - euler(phi - psi, pi, 0)).applyfunc(simplify),
@@ -242,11 +249,30 @@ from sympy import simplify
 # $\dot\phi$ and $\dot\psi$ can't be told from $\boldsymbol{\omega}$. This is why `rigidtop`
 # integrates with unit quaternions.
 
+# %% tags=["check"]
+# %%answer exercise-3.2 --hint tries
+# psi = 30°
+
 # %% [markdown]
 # ### Exercise 3.3
 #
 # Find $\boldsymbol{\omega}$ along $\mathbf{e}_1, \mathbf{e}_2, \mathbf{e}_3$ (not the primed axes).
-# Start from $O^T\dot O$. Why is $\omega_1^2 + \omega_2^2$ the same along both pairs of axes?
+# Start from $O^T\dot O$. Why is $\omega_1^2 + \omega_2^2$ the same along both pairs of axes? As a
+# check, put in $\theta = 60°$, $\psi = 30°$ and the rates $\dot\phi = 2$, $\dot\theta = 1$,
+# $\dot\psi = 3$ rad/s.
+#
+# <details><summary>First hint</summary>
+#
+# $O^T\dot O$ is the matrix of "$\boldsymbol{\omega}\times$" in components along the body axes.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# The primed components turn by $-\psi$ about $\mathbf{e}_3$: $\omega_1 = \omega_1'\cos\psi +
+# \omega_2'\sin\psi$.
+#
+# </details>
 
 # %% tags=["solution"]
 cross_in_body = reduce_trig(O.T * rate)
@@ -258,12 +284,31 @@ Equation(omega_vec, in_body), across - reduce_trig(omega[0] ** 2 + omega[1] ** 2
 # The last turn, by $\psi$ about $\mathbf{e}_3$, mixes the first two components and leaves their
 # length. Only for $\lambda_1 = \lambda_2$ does $T$ not see it.
 
+# %% tags=["check"]
+# %%answer exercise-3.3 --hint tries
+# omega1 = -1.00 rad/s
+# omega2 = 1.732 rad/s
+# omega3 = 4.00 rad/s
+
 # %% [markdown]
 # ### Exercise 3.4
 #
 # A top has $\lambda_1 = 0.02$ and $\lambda_3 = 0.01$ kg m² and starts at $\theta = 60°$ with
 # $\dot\phi = 2$ and $\omega_3 = 40$ rad/s. Find $L_z$ and $L_3$. Then find $\dot\phi$ at a later
-# time from its $\theta$ alone, by (3.45), and compare with the motion.
+# time from its $\theta$ alone, by (3.45), and compare with the motion. Give $\dot\phi$ after 0.1 s,
+# with $M = 1$ kg and $R = 0.1$ m.
+#
+# <details><summary>First hint</summary>
+#
+# $L_3 = \lambda_3\omega_3$, and $L_z = \lambda_1\dot\phi\sin^2\theta + L_3\cos\theta$.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# `motion.exact([0.1]).theta` gives the angle; both momenta are what they were at the start.
+#
+# </details>
 
 # %% tags=["solution"]
 top = rt.HeavyTop(lambda1=0.02, lambda3=0.01, M=1.0, R=0.1)
@@ -274,3 +319,9 @@ print(f"L_z = {start_z:.4f} J s, L₃ = {start_3:.4f} J s")
 for moment, tilt, seen in zip(path.t, path.theta, path.phi_dot, strict=True):
     by_formula = (start_z - start_3 * np.cos(tilt)) / (0.02 * np.sin(tilt) ** 2)
     print(f"t = {moment:.1f} s: φ̇ by (3.45) {by_formula:.6f}, in the motion {seen:.6f} rad/s")
+
+# %% tags=["check"]
+# %%answer exercise-3.4 --hint tries
+# L_z = 0.230 J s
+# L_3 = 0.400 J s
+# phi_dot = 2.737 rad/s

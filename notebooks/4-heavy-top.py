@@ -7,37 +7,7 @@
 # $\boldsymbol{\omega}$. We turn these equations into a program and compare it with the closed form.
 
 # %%
-import numpy as np
-from sympy import Matrix, Rational, cos, diff, sin
-
-import rigidtop as rt
-from rigidtop.figures.style import FIRST, GREY
-from rigidtop.proof.equation import Equation
-from rigidtop.report.notebook import enable, figure, plot, sliders, steps
-from rigidtop.theory.symbols import (
-    Lagrangian,
-    M,
-    N_vec,
-    Omega_vec,
-    R,
-    g,
-    lambda1,
-    lambda3,
-    omega3,
-    p_phi,
-    p_psi,
-    phi,
-    phiddot,
-    phidot,
-    psi,
-    psiddot,
-    psidot,
-    theta,
-    thetaddot,
-    thetadot,
-)
-
-enable()
+from rigidtop.notebook import *
 
 # %% [markdown]
 # ## The quick argument
@@ -66,14 +36,12 @@ Equation(Omega_vec, rate * z), difference.expand().T
 # %%
 figure("torque")
 
-# %% [markdown]
+# %% [markdown] tags=["lecturer"]
 # The notes say that $\mathbf{L}\parallel\boldsymbol{\omega}$ is a good approximation for a weak
 # torque, and that this would have to be shown. Here it is, with the condition under which it holds:
 
-# %%
-from rigidtop.derivations.simplified_picture import parallel
-
-parallel
+# %% tags=["lecturer"]
+verdict("parallel-approximation")
 
 # %% [markdown]
 # ## The Lagrangian
@@ -98,10 +66,9 @@ steps("3.54")
 # $\phi$ and $\psi$ do not occur in $\mathcal{L}$, so their momenta are constant, (3.55) and (3.56):
 
 # %%
-from sympy import factor_terms
+diff(L, phi), diff(L, psi)
 
-assert diff(L, phi) == 0
-assert diff(L, psi) == 0
+# %%
 momenta = [factor_terms(diff(L, rate)) for rate in (phidot, psidot)]
 [Equation(p_phi, momenta[0]), Equation(p_psi, momenta[1])]
 
@@ -123,8 +90,6 @@ vertical = Matrix([-sin(theta), 0, cos(theta)])
 # three equations for the second derivatives:
 
 # %%
-from rigidtop.theory.lagrangian import accelerations
-
 q, v = (theta, phi, psi), (thetadot, phidot, psidot)
 second = accelerations(L, q, v)
 [Equation(x, y) for x, y in zip((thetaddot, phiddot, psiddot), second, strict=True)]
@@ -136,9 +101,6 @@ second = accelerations(L, q, v)
 # motion.
 
 # %%
-from scipy.integrate import solve_ivp
-from sympy import lambdify
-
 numbers = {lambda1: Rational("0.02"), lambda3: Rational("0.01"), M: 1, R: Rational("0.1")}
 right_side = lambdify((*q, *v), list(second.subs(numbers).subs(g, Rational("9.81"))))
 
@@ -193,11 +155,6 @@ for name, row in zip(("energy (J)", "p_φ (J s)", "p_ψ (J s)"), values, strict=
 # is $\tfrac12\lambda_1\dot\theta^2$ and a function of $\theta$, the *effective potential*:
 
 # %%
-from sympy import solve
-
-from rigidtop.theory.symbols import U
-from rigidtop.theory.trig import reduce_ratio
-
 velocities = solve([momenta[0] - p_phi, momenta[1] - p_psi], [phidot, psidot])
 turning = lambda1 * sin(theta) ** 2 * velocities[phidot] ** 2 / 2
 effective = reduce_ratio(turning) + p_psi**2 / (2 * lambda3) + potential
@@ -209,8 +166,6 @@ Equation(phidot, reduce_ratio(velocities[phidot])), Equation(U, effective)
 
 
 # %%
-from rigidtop.figures.nutation import draw_path, nutation_times
-from rigidtop.figures.potential import draw_effective_potential
 
 
 def potential_and_path(left, right, theta, omega3):
@@ -235,14 +190,24 @@ sliders(
 #
 # Example 34 of the notes: a top leans and is let go without any rotation. Which motion is this? How
 # does $\mathbf{L}$ evolve? How long does the example top take to fall from 10° to 90°? Guess first.
+#
+# <details><summary>First hint</summary>
+#
+# What do the three equations of motion say for $\dot\phi = \dot\psi = 0$?
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# The energy gives $\dot\theta$ at each angle; or let `motion.exact` say when $\theta = 90°$.
+#
+# </details>
 
 # %% tags=["solution"]
 falling = second.subs({phidot: 0, psidot: 0})
 [Equation(x, y) for x, y in zip((thetaddot, phiddot, psiddot), falling, strict=True)]
 
 # %% tags=["solution"]
-from scipy.optimize import brentq
-
 fall = top.motion(theta=np.radians(10.0), omega3=0.0)
 time_to_fall = brentq(lambda t: fall.exact(t).theta[0] - np.pi / 2, 0.0, fall.nutation_period / 2)
 momentum_then = fall.exact(time_to_fall).angular_momentum[0]
@@ -257,9 +222,11 @@ print(f"e₃ is horizontal after {time_to_fall:.4f} s, when L_y = {momentum_then
 # The time is an elliptic integral. The whole solution:
 
 # %% tags=["solution"]
-from rigidtop.report.notebook import solution
-
 solution("toppling-top", lambda1=0.02, M=1.0, R=0.1)
+
+# %% tags=["check"]
+# %%answer exercise-4.1 --hint tries
+# time_to_fall = 0.4206 s
 
 # %% [markdown]
 # ### Exercise 4.2
@@ -267,7 +234,21 @@ solution("toppling-top", lambda1=0.02, M=1.0, R=0.1)
 # Derive (3.54) without a Lagrangian. Use $\dot{\mathbf{L}} = \mathbf{N}$ in the frame
 # $\mathbf{e}_1', \mathbf{e}_2', \mathbf{e}_3$, which turns with $\boldsymbol{\omega}' =
 # \dot\phi\,\hat{\mathbf{z}} + \dot\theta\,\mathbf{e}_2'$, and take the component along
-# $\mathbf{e}_2'$.
+# $\mathbf{e}_2'$. Then find $\ddot\theta$ of the example top at $\theta = 60°$ with $\dot\phi = 2$
+# and $\omega_3 = 40$ rad/s.
+#
+# <details><summary>First hint</summary>
+#
+# In a frame that turns, $\dot{\mathbf{L}}$ is the rate of the components plus
+# $\boldsymbol{\omega}'\times\mathbf{L}$.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# Along $\mathbf{e}_2'$ the weight has the torque $MgR\sin\theta$.
+#
+# </details>
 
 # %% tags=["solution"]
 frame = phidot * vertical + thetadot * Matrix([0, 1, 0])
@@ -275,17 +256,30 @@ weight = Matrix([0, 0, R]).cross(-M * g * vertical)
 newton = (weight - frame.cross(momentum))[1]
 (newton - diff(L, theta)).expand()
 
+# %% tags=["check"]
+# %%answer exercise-4.2 --hint tries
+# theta_ddot = 9.57 rad/s²
+
 # %% [markdown]
 # ### Exercise 4.3
 #
 # A spring pulls the axis towards the vertical, with the potential $\tfrac12\kappa\sin^2\theta$.
 # Which momenta are still conserved? Find $\ddot\theta$. How large must $\kappa$ be for a top
-# *without* spin to stand upright?
+# *without* spin to stand upright? Give the number for the example top.
+#
+# <details><summary>First hint</summary>
+#
+# A coordinate that does not occur in $\mathcal{L}$ has a constant momentum.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# Near $\theta = 0$ the potential is $(\kappa - MgR)\theta^2/2$ and a constant.
+#
+# </details>
 
 # %% tags=["solution"]
-from rigidtop.theory.lagrangian import cyclic
-from rigidtop.theory.symbols import kappa
-
 with_spring = L - kappa * sin(theta) ** 2 / 2
 new = accelerations(with_spring, q, v)[0].subs({phidot: 0, psidot: 0})
 cyclic(with_spring, q), Equation(thetaddot, new), new.diff(theta).subs(theta, 0)
@@ -294,12 +288,29 @@ cyclic(with_spring, q), Equation(thetaddot, new), new.diff(theta).subs(theta, 0)
 # $p_\phi$ and $p_\psi$ are conserved as before. Near $\theta = 0$ the last expression times
 # $\theta$ is $\ddot\theta$; it is negative, and the top stands, for $\kappa > MgR$.
 
+# %% tags=["check"]
+# %%answer exercise-4.3 --hint tries
+# kappa = 0.981 J
+
 # %% [markdown]
 # ### Exercise 4.4
 #
 # Let $\lambda_3$ go to zero and $\lambda_1 = MR^2$: all mass sits at one point. Show that
 # $\mathcal{L}$ becomes that of a spherical pendulum that is held from below. Which of the conserved
-# quantities has lost its meaning?
+# quantities has lost its meaning? With $R = 0.1$ m, how large is $\ddot\theta$ if it is let go at
+# rest at 60°?
+#
+# <details><summary>First hint</summary>
+#
+# Put both values into $\mathcal{L}$, and compare with $\tfrac12Mv^2$ in polar coordinates.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# $MR^2\ddot\theta = MgR\sin\theta$ without a rotation about the vertical.
+#
+# </details>
 
 # %% tags=["solution"]
 Equation(Lagrangian, L.subs({lambda3: 0, lambda1: M * R**2}))
@@ -307,3 +318,7 @@ Equation(Lagrangian, L.subs({lambda3: 0, lambda1: M * R**2}))
 # %% [markdown] tags=["solution"]
 # $\theta$ and $\phi$ are polar coordinates of the mass, with $\hat{\mathbf{z}}$ up. $p_\psi$ is
 # gone with $\psi$: a point has no spin.
+
+# %% tags=["check"]
+# %%answer exercise-4.4 --hint tries
+# theta_ddot = 84.96 rad/s²

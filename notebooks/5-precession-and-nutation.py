@@ -6,34 +6,7 @@
 # we disturb the steady top: it nods, and its axis draws waves, cusps or loops.
 
 # %%
-import numpy as np
-from sympy import Poly, cos, series, sin, solve, sqrt
-
-import rigidtop as rt
-from rigidtop.figures.style import FIRST, SECOND
-from rigidtop.proof.equation import Equation
-from rigidtop.report.notebook import enable, plot, sliders, steps
-from rigidtop.theory.symbols import (
-    D,
-    M,
-    Omega,
-    Omega_minus,
-    Omega_plus,
-    R,
-    epsilon,
-    g,
-    lambda1,
-    lambda3,
-    omega3,
-    omega_n2,
-    p_phi,
-    p_psi,
-    theta,
-)
-from rigidtop.theory.top import steady_quadratic, top_effective_potential
-from rigidtop.theory.trig import reduce_ratio, reduce_trig
-
-enable()
+from rigidtop.notebook import *
 
 # %% [markdown]
 # ## Constant tilt
@@ -45,13 +18,13 @@ steps("3.57")
 
 # %% [markdown]
 # But a product also vanishes with the factor by which it is divided. For $\sin\theta = 0$, upright
-# or hanging, every $\Omega$ is a steady motion. The notes divide without a word; the verdict finds
-# the lost branch.
+# or hanging, every $\Omega$ is a steady motion.
 
-# %%
-from rigidtop.derivations.lagrange_formalism import steady_precession
+# %% [markdown] tags=["lecturer"]
+# The notes divide without a word; the verdict finds the lost branch.
 
-steady_precession
+# %% tags=["lecturer"]
+verdict("3.57")
 
 # %% [markdown]
 # ## Slow and fast
@@ -65,8 +38,13 @@ discriminant = Poly(quadratic, Omega).discriminant()
 minus, plus = (
     (lambda3 * omega3 + sign * sqrt(discriminant)) / (2 * lambda1 * cos(theta)) for sign in (-1, 1)
 )
-assert all(quadratic.subs(Omega, root).expand() == 0 for root in (minus, plus))
 [Equation(D, discriminant), Equation(Omega_minus, minus), Equation(Omega_plus, plus)]
+
+# %% [markdown]
+# Put both roots into the quadratic:
+
+# %%
+[quadratic.subs(Omega, root).expand() for root in (minus, plus)]
 
 # %% [markdown]
 # For a top above the horizontal there is a least spin, $\omega_3 =
@@ -85,8 +63,6 @@ fast = series((1 + x) / 2, epsilon, 0, 3).removeO()
 ]
 
 # %%
-from rigidtop.figures.precession import draw_precession_rates
-
 example = {"lambda1": 0.02, "lambda3": 0.01, "M": 1.0, "R": 0.1}
 top = rt.HeavyTop(**example)
 tilt, spin = np.pi / 3, 40.0
@@ -140,7 +116,8 @@ for factor in (1.2, 1.05, 0.95, 0.8):
 #
 # $\theta$ moves like a particle in the effective potential of its $p_\phi$ and $p_\psi$. The steady
 # tilt is its minimum. How stiff is it there? We differentiate twice and put in the momenta and the
-# weight of a steady precession:
+# weight of a steady precession. The slope vanishes, and $\lambda_1$ times the stiffness is a sum of
+# two squares:
 
 # %%
 U = top_effective_potential()
@@ -154,12 +131,13 @@ stiffness = reduce_ratio(U.diff(theta, 2).subs(momenta).subs(g, weight))
 squares = (lambda3 * omega3 - 2 * lambda1 * Omega * cos(theta)) ** 2 + (
     lambda1 * Omega * sin(theta)
 ) ** 2
-assert slope == 0
-assert reduce_trig(lambda1 * stiffness - squares) == 0
+slope, reduce_trig(lambda1 * stiffness - squares)
+
+# %%
 Equation(lambda1**2 * omega_n2, squares)
 
 # %% [markdown]
-# $\omega_n^2 = U''/\lambda_1$ is a sum of squares. So every steady precession with $\sin\theta\ne0$
+# $\omega_n^2 = U''/\lambda_1$ is never negative. So every steady precession with $\sin\theta\ne0$
 # is stable. For a fast top it is nearly $\lambda_3\omega_3/\lambda_1$. Check with motions that
 # start a little off the slow precession:
 
@@ -186,8 +164,6 @@ for spin in (32.0, 40.0, 80.0, 160.0):
 # sets $\dot\phi$ at the start.
 
 # %%
-from rigidtop.figures.nutation import draw_path, draw_regimes, nutation_times
-
 with plot("paths of e₃ on the sphere: waves, cusps, loops", columns=3, height=2.7) as panels:
     for axes, rate in zip(panels, (1.6, 0.0, -1.6), strict=True):
         motion = top.motion(theta=tilt, phi=-1.25, phi_dot=rate, omega3=40.0)
@@ -218,6 +194,13 @@ sliders(
 )
 
 # %% [markdown]
+# Now play with it. The cell below shows the live top, which starts with the loops on the right:
+# grab its axis and flick it, change its spin, let friction run it down.
+
+# %%
+rt.show(top.motion(theta=tilt, phi_dot=-1.6, omega3=40.0))
+
+# %% [markdown]
 # All starts at once: which motion follows from which $\omega_3$ and which $\dot\phi$, at 60° and
 # $\dot\theta = 0$? Every point of this map is a motion in closed form.
 
@@ -225,14 +208,12 @@ sliders(
 with plot("map of the regimes over ω₃ and φ̇ at the start", 4.8, 3.2) as axes:
     draw_regimes(axes, top, tilt, 60.0, 12.0)
 
-# %% [markdown]
+# %% [markdown] tags=["lecturer"]
 # The notes say that $\theta$ oscillates about the value where it could be constant. That holds for
 # *small* oscillations; for larger ones the mean lies beside it. And upright it takes a fast top:
 
-# %%
-from rigidtop.derivations.nutation import nutation
-
-nutation
+# %% tags=["lecturer"]
+verdict("nutation")
 
 # %% [markdown]
 # ## Exercises
@@ -240,7 +221,20 @@ nutation
 # ### Exercise 5.1
 #
 # A fast top is let go at rest at the tilt $\theta$. Show by numbers that it nods by $\pm\lambda_1
-# MgR\sin\theta/(\lambda_3\omega_3)^2$. How does the formula fail for a slow top?
+# MgR\sin\theta/(\lambda_3\omega_3)^2$. How does the formula fail for a slow top? Compare at 60° and
+# 30 rad/s.
+#
+# <details><summary>First hint</summary>
+#
+# `motion.turning_points` are the smallest and the largest $\theta$.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# The amplitude is half of their difference; multiply $\omega_3$ by two again and again.
+#
+# </details>
 
 # %% tags=["solution"]
 for spin in (30.0, 60.0, 120.0, 240.0):
@@ -253,12 +247,29 @@ for spin in (30.0, 60.0, 120.0, 240.0):
 # The relative error shrinks as $1/\omega_3^2$, with $\epsilon$. A slow top nods further than the
 # formula says.
 
+# %% tags=["check"]
+# %%answer exercise-5.1 --hint tries
+# amplitude = 13.1°
+# formula = 10.8°
+
 # %% [markdown]
 # ### Exercise 5.2
 #
 # A conical pendulum is a top without spin that hangs: $\omega_3 = 0$ and $\theta > 90°$. What does
 # (3.57) give? Check with `steady_precession` at 120°. Why is there no solution above the
 # horizontal?
+#
+# <details><summary>First hint</summary>
+#
+# Without the term in $\omega_3$ the quadratic has $\Omega^2$ and a constant alone.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# $\Omega^2 = -MgR/(\lambda_1\cos\theta)$. Which sign has $\cos\theta$?
+#
+# </details>
 
 # %% tags=["solution"]
 without_spin = solve(quadratic.subs(omega3, 0), Omega**2)[0]
@@ -269,11 +280,28 @@ Equation(Omega**2, without_spin)
 # %% [markdown] tags=["solution"]
 # $\Omega^2$ is positive only for $\cos\theta < 0$.
 
+# %% tags=["check"]
+# %%answer exercise-5.2 --hint tries
+# Omega = 9.905 rad/s
+
 # %% [markdown]
 # ### Exercise 5.3
 #
 # At exactly $\theta = 90°$ (a gyroscope with a horizontal axis) the quadratic loses its first term.
 # Which root is left, and is (3.52) then exact? What becomes of the other one as $\theta\to90°$?
+# Give it at 40 rad/s.
+#
+# <details><summary>First hint</summary>
+#
+# With $\cos\theta = 0$ the equation is linear in $\Omega$.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# For the other root look at $\lambda_3\omega_3/(\lambda_1\cos\theta)$ as the cosine goes to zero.
+#
+# </details>
 
 # %% tags=["solution"]
 for degrees in (80.0, 89.0, 89.9, 90.0):
@@ -286,12 +314,31 @@ print(f"MgR/(λ₃ω₃) = {0.981 / 0.4:.6f} rad/s")
 # $\hat{\mathbf{z}}$ the precession adds nothing to $L_z$ along $\mathbf{e}_3$. The fast one grows
 # without limit.
 
+# %% tags=["check"]
+# %%answer exercise-5.3 --hint tries
+# Omega = 2.4525 rad/s
+
 # %% [markdown]
 # ### Exercise 5.4
 #
 # The fast root does not contain $g$, and the notes call it "the free precession, not too obviously
 # so". Make it obvious: switch gravity off and compare $\Omega_+$ with $L/\lambda_1$. Then switch it
-# on: by how much does $\Omega_+$ change in the next order?
+# on: by how much does $\Omega_+$ change in the next order? Give the rate without weight at 60° and
+# 40 rad/s, and the change at 400 rad/s.
+#
+# <details><summary>First hint</summary>
+#
+# For constant $\theta$ and $g = 0$ the vector $\mathbf{L}$ is vertical, and $L\cos\theta =
+# \lambda_3\omega_3$.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# The two roots have the sum $\lambda_3\omega_3/(\lambda_1\cos\theta)$: what one gains the other
+# loses.
+#
+# </details>
 
 # %% tags=["solution"]
 weightless = rt.HeavyTop(**example, g=0.0)
@@ -300,7 +347,6 @@ size = np.linalg.norm(
     weightless.motion(theta=tilt, phi_dot=free, omega3=40.0).start().angular_momentum
 )
 print(f"without weight: Ω₊ = {free:.6f}, L/λ₁ = {size / 0.02:.6f} rad/s")
-from rigidtop.theory.top import steady_expansions
 
 heavy = top.steady_precession(tilt, 400.0)[1] - weightless.steady_precession(tilt, 400.0)[1]
 print(f"at 400 rad/s the weight changes it by {heavy:.5f} rad/s; -MgR/(λ₃ω₃) = {-0.981 / 4:.5f}")
@@ -309,3 +355,8 @@ Equation(Omega_plus, steady_expansions(2)[1])
 # %% [markdown] tags=["solution"]
 # Without weight $\mathbf{L}$ is constant, and the axis turns about it at $L/\lambda_1$ (notebook
 # 2). As $\theta$ is constant, $\mathbf{L}$ is vertical.
+
+# %% tags=["check"]
+# %%answer exercise-5.4 --hint tries
+# free = 40.0 rad/s
+# change = -0.2453 rad/s

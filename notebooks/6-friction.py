@@ -7,17 +7,7 @@
 # follow the life of a top from its start to its fall, and then ask what *your* top will do.
 
 # %%
-import numpy as np
-from sympy import Matrix, Rational, simplify, sqrt, symbols
-
-import rigidtop as rt
-from rigidtop.figures.style import FIRST, GREY, SECOND, THIRD
-from rigidtop.proof.equation import Equation
-from rigidtop.report.notebook import enable, plot, sliders
-from rigidtop.theory.euler import OMEGA, along_flow, angular_momentum, kinetic_energy
-from rigidtop.theory.symbols import M, R, g, lambda1, lambda2, lambda3
-
-enable()
+from rigidtop.notebook import *
 
 # %% [markdown]
 # ## A top without a pivot
@@ -43,13 +33,13 @@ slip = V + Matrix(OMEGA).cross(rho)
 
 # %% [markdown]
 # So $\dot E = \mathbf{C}\cdot\mathbf{v}$. No slip, no loss: a tip that is held, or that rolls,
-# costs nothing. Sliding friction points against $\mathbf{v}$, and takes $\mu N|\mathbf{v}|$. The
-# verdict on the notes' sentence:
+# costs nothing. Sliding friction points against $\mathbf{v}$, and takes $\mu N|\mathbf{v}|$.
 
-# %%
-from rigidtop.derivations.nutation import friction
+# %% [markdown] tags=["lecturer"]
+# The verdict on the notes' sentence:
 
-friction
+# %% tags=["lecturer"]
+verdict("friction")
 
 # %% [markdown]
 # ## Why friction raises a top
@@ -187,9 +177,6 @@ sliders(
 # its centre of mass, and its moments about the tip.
 
 # %%
-from rigidtop.theory.inertia import cone
-from rigidtop.theory.symbols import a, b
-
 solid = cone(a, b)
 about_apex = solid.inertia(M)
 [
@@ -223,7 +210,20 @@ for radius, height in ((0.015, 0.03), (0.025, 0.025), (0.03, 0.015)):
 # ### Exercise 6.1
 #
 # Let the wooden top run with a sharp tip ($r = 0$) on the same wet table, without air, for four
-# seconds. Does it stand up? Compare with Jellett's constant.
+# seconds. Does it stand up? Compare with Jellett's constant. Give the mean $\theta$ in the last
+# second.
+#
+# <details><summary>First hint</summary>
+#
+# Only `tip=0.0` changes, and the drags are left out.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# With $r = 0$ Jellett's constant is $RL_3$. What does it say about $\theta$?
+#
+# </details>
 
 # %% tags=["solution"]
 for tip in (0.003, 0.0):
@@ -239,11 +239,28 @@ for tip in (0.003, 0.0):
 # With $r = 0$ Jellett's constant is $RL_3$: it only says that the spin stays. The sharp top does
 # not stand up: what friction takes, little, comes from its height, and it sinks from 20° to 21°.
 
+# %% tags=["check"]
+# %%answer exercise-6.1 --hint tries
+# theta = 21.0°
+
 # %% [markdown]
 # ### Exercise 6.2
 #
 # Now a dry table: Coulomb friction with $\mu = 0.1$ and the round tip, without air. Follow the
-# slip. What happens, and what becomes of the energy afterwards?
+# slip. What happens, and what becomes of the energy afterwards? Give the time, and the mean
+# $\theta$ from then on.
+#
+# <details><summary>First hint</summary>
+#
+# `rt.SlidingTop(**toy, tip=0.003, mu=0.1)`; its trajectory has `events`.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# `path.rolling` says when it rolls; what does friction take where nothing slips?
+#
+# </details>
 
 # %% tags=["solution"]
 dry = rt.SlidingTop(**toy, tip=0.003, mu=0.1)
@@ -260,12 +277,29 @@ print(f"its energy stays: {np.ptp(path.energy[later]) < 1e-9 * path.energy[0]}")
 # After a moment static friction holds the tip: it rolls, the slip is zero, and nothing is lost any
 # more. The top does not stand up further.
 
+# %% tags=["check"]
+# %%answer exercise-6.2 --hint tries
+# time = 0.249 s
+# theta = 15.6°
+
 # %% [markdown]
 # ### Exercise 6.3
 #
 # A top slows down in the air as $\omega_3 = \omega_0e^{-c_3t/\lambda_3}$. How long does the wooden
 # top stay above the sleeping spin if you start it with 250 rad/s? How much longer with twice the
 # spin? Find the time also in the motion above.
+#
+# <details><summary>First hint</summary>
+#
+# Solve $\omega_0e^{-c_3t/\lambda_3} = \omega_s$ for the time.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# `sleeping` above is $\omega_s$, and $c_3$ is `drag3`, $10^{-6}$ N m s.
+#
+# </details>
 
 # %% tags=["solution"]
 decay = toy["lambda3"] / 1e-6
@@ -276,12 +310,30 @@ print(f"in the motion {awake:.2f} s")
 # %% [markdown] tags=["solution"]
 # Twice the spin adds $(\lambda_3/c_3)\ln 2$, always the same time.
 
+# %% tags=["check"]
+# %%answer exercise-6.3 --hint tries
+# asleep = 5.18 s
+# twice = 9.34 s
+
 # %% [markdown]
 # ### Exercise 6.4
 #
 # Film your own top. Count its turns per second at the start and note when it begins to wobble. From
 # its shape compute the sleeping spin, and from both the drag $c_3$. (No top at hand? Take a cone of
 # 40 g, 25 mm in radius and 25 mm high, which starts with 30 turns a second and wobbles after 12 s.)
+# The check is for the cone.
+#
+# <details><summary>First hint</summary>
+#
+# The moments and the centre of mass of a cone stand above, about its tip.
+#
+# </details>
+#
+# <details><summary>Second hint</summary>
+#
+# Between the start and the wobble $\omega_3 = \omega_0e^{-c_3t/\lambda_3}$: solve for $c_3$.
+#
+# </details>
 
 # %% tags=["solution"]
 values = {a: Rational("0.025"), b: Rational("0.025"), M: Rational("0.04"), g: Rational("9.81")}
@@ -295,6 +347,9 @@ print(f"c₃ = {own_lambda3 * np.log(start / own_sleeping) / 12:.2e} N m s")
 # And a top from the toy box, measured with more care:
 
 # %% tags=["solution"]
-from rigidtop.report.notebook import solution
-
 solution("top-from-the-toy-box")
+
+# %% tags=["check"]
+# %%answer exercise-6.4 --hint tries
+# sleeping_spin = 99.0 rad/s
+# drag3 = 4.02e-7 N m s

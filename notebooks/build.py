@@ -6,9 +6,10 @@
     python notebooks/build.py 4 5          only those
 
 A source is a Python file with cells after ``# %%``, which jupytext and editors understand.  A cell
-tagged ``solution`` is in the teacher's copy only; in the student's one empty cell stands for what
-is left out.  All solutions stand behind all other code, so the student's copy is executed too: up
-to its exercises it is the teacher's.
+tagged ``lecturer`` or ``solution`` is in the teacher's copy only; in the student's one empty cell
+stands for a solution.  Behind each is a cell tagged ``check``, a ``%%answer`` with the right
+numbers, for which the student's copy has dots.  All solutions stand behind all other code, so the
+student's copy is executed too: up to its exercises it is the teacher's.
 
 What is written depends on the source and on what it computes alone: no times, no random names.
 """
@@ -36,14 +37,15 @@ from nbformat import NotebookNode
 
 HERE = Path(__file__).parent
 COPIES = ("teacher", "student")
-SOLUTION = "solution"
+SOLUTION, CHECK, LECTURER = "solution", "check", "lecturer"
 LIMIT = 300
 """Seconds after which a cell is given up."""
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
+MARKING = "application/vnd.rigidtop.marking+json"
 METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
-    "language_info": {"file_extension": ".py", "name": "python"},
+    "language_info": {"file_extension": ".py", "name": "python", "pygments_lexer": "ipython3"},
 }
 ENVIRONMENT = {
     "PYTHONHASHSEED": "0",
@@ -73,6 +75,8 @@ def read(source: Path) -> NotebookNode:
         }[cell.cell_type](cell.source, id=f"cell-{number:02}")
         if tags:
             fresh.metadata["tags"] = tags
+        if tagged(fresh, CHECK):  # its lines are no Python, and so are comments in the source
+            fresh.source = re.sub("^# ", "", fresh.source, flags=re.M)
         cells.append(fresh)
     notebook = nbformat.v4.new_notebook(cells=cells, metadata=copy.deepcopy(METADATA))
     notebook.nbformat_minor = 5
@@ -80,20 +84,30 @@ def read(source: Path) -> NotebookNode:
     return notebook
 
 
-def is_solution(cell: NotebookNode) -> bool:
-    return SOLUTION in cell.metadata.get("tags", [])
+def tagged(cell: NotebookNode, *tags: str) -> bool:
+    """Whether a cell has one of these tags."""
+    return not {*tags}.isdisjoint(cell.metadata.get("tags", []))
 
 
 def _check_order(name: str, cells: list[NotebookNode]) -> None:
-    """No code of the lecture behind a solution; every exercise has one."""
+    """No code of the lecture behind a solution; every exercise has one, and then a check."""
     behind = False
-    for cell, following in zip(cells, [*cells[1:], None], strict=True):
-        behind = behind or is_solution(cell)
-        if behind and cell.cell_type == "code" and not is_solution(cell):
+    kinds = "".join(_kind(cell) for cell in cells)
+    for number, cell in enumerate(cells):
+        behind = behind or tagged(cell, SOLUTION)
+        if behind and cell.cell_type == "code" and not tagged(cell, SOLUTION, CHECK):
             raise BuildError(f"{name}, {cell.id}: code that is no solution stands behind one")
-        exercise = re.match(r"### Exercise", cell.source)
-        if exercise and (following is None or not is_solution(following)):
+        if kinds[number] == "E" and not re.match("S+", kinds[number + 1 :]):
             raise BuildError(f"{name}, {cell.id}: an exercise without a solution")
+        if kinds[number] == "E" and not re.match("S+C", kinds[number + 1 :]):
+            raise BuildError(f"{name}, {cell.id}: an exercise without a check")
+
+
+def _kind(cell: NotebookNode) -> str:
+    """E for an exercise, S for a part of its solution, C for its check, - for all else."""
+    if tagged(cell, SOLUTION, CHECK):
+        return "S" if tagged(cell, SOLUTION) else "C"
+    return "E" if re.search("^### Exercise", cell.source, flags=re.M) else "-"
 
 
 class _ThisPython(KernelSpecManager):
@@ -149,21 +163,41 @@ def _settled(name: str, cell: NotebookNode, output: NotebookNode) -> NotebookNod
         raise BuildError(f"{name}, {cell.id} shows an address: {said.strip()}")
     if "data" in output:
         output.data.pop(WIDGET, None)
+        output.data.pop(MARKING, None)
+        if "<iframe" in output.data.get("text/html", ""):  # the live page, which a kernel makes
+            output.data["text/html"] = "<em>Run this cell, and the page plays here.</em>"
     return output
 
 
 def student(notebook: NotebookNode) -> NotebookNode:
-    """A copy with an empty cell in place of each solution."""
+    """A copy with an empty cell in place of each solution, and dots in place of each number."""
     cut = copy.deepcopy(notebook)
     cells: list[NotebookNode] = []
     for cell in cut.cells:
-        if not is_solution(cell):
+        if tagged(cell, CHECK):
+            cell.source = re.sub(r"= *\S+?(?=$|[ °])", "= …", cell.source, flags=re.M)
+            cell.outputs, cell.execution_count = [], None
+        if tagged(cell, LECTURER):
+            continue
+        if not tagged(cell, SOLUTION):
             cells.append(cell)
         elif not cells[-1].id.startswith("answer"):
             number = sum(c.id.startswith("answer") for c in cells) + 1
             cells.append(nbformat.v4.new_code_cell("", id=f"answer-{number}"))
+    count = 0
+    for cell in cells:
+        if cell.get("execution_count"):
+            count += 1
+            _counted(cell, count)
     cut.cells = cells
     return cut
+
+
+def _counted(cell: NotebookNode, count: int) -> None:
+    """Give a cell and what it shows their number."""
+    for part in (cell, *cell.outputs):
+        if "execution_count" in part:
+            part.execution_count = count
 
 
 def made(source: Path) -> tuple[dict[Path, NotebookNode], float]:

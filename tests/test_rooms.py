@@ -15,7 +15,7 @@ ORDER = (
     *("errors", "trace", "parameters", "terminal"),
     *("theory", "proof", "notation", "tree", "typeset", "read", "judge", "codegen"),
     *("motion", "derivations", "figures", "report", "system", "mark", "starter"),
-    *("collection", "web", "commands", "cli", "__init__", "__main__"),
+    *("collection", "web", "notebook", "commands", "cli", "__init__", "__main__"),
 )
 """A room may import of the others those before it."""
 

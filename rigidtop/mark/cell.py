@@ -6,7 +6,8 @@
     $$\\Omega_\\pm = …$$
 
 The first line names an exercise, perhaps with settings of its own (``%%answer toppling-top
-theta=30deg``), or two equations: ``%%answer 3.54 3.57``.  The student sees what became of each
+theta=30deg``), one of the notebooks, ``%%answer exercise-1.2``, or two equations: ``%%answer 3.54
+3.57``.  The student sees what became of each
 line; the teacher has the record, in the output of the cell (and so in the notebook) and, with
 ``--record``, as a line of JSON in a file.  With ``--hint 1`` only the first wrong line is told,
 with 2 also what kind of slip it is, with 3 the line as it has to be; ``--hint tries`` goes from one
@@ -28,6 +29,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.mark.answer import mark
 from rigidtop.mark.exercise import answered
 from rigidtop.mark.marking import Marked, Marking, kind
+from rigidtop.mark.questions import QUESTIONS
 from rigidtop.mark.task import Subject, task
 from rigidtop.proof.exercise import Exercise
 
@@ -112,7 +114,7 @@ def answer(
     line: str,
     cell: str,
     tries: Counter[str] | None = None,
-    exercises: Sequence[Exercise] = EXERCISES,
+    exercises: Sequence[Exercise] = (*EXERCISES, *QUESTIONS),
     subject: Subject | None = None,
 ) -> Answered:
     """Mark what a cell says, in formulas between dollars.  Raises RigidtopError for a bad line.

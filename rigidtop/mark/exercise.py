@@ -49,6 +49,8 @@ _FACTORS = {
 }
 """What a wrong number is to the right one, and what slip that is."""
 
+HALF = 1e-6
+"""By how much of the last digit a value may be off half of it."""
 ZERO = 1e-12
 """A solution's value below this is zero, which has no digits."""
 
@@ -82,7 +84,8 @@ def answered(
         found = _numeric(source, exercise.name, asked)
         rubric = exercise.rubric and exercise.rubric.of_numbers(len(asked))
         return "", "", replace(found, rubric=rubric)
-    ends_here = ends(name) if subject is None else ends_of(exercise, subject)
+    known = subject is None and exercise in EXERCISES
+    ends_here = ends(name) if known else ends_of(exercise, subject or top())
     found = mark(source, task(*ends_here, subject), a_line, altogether)
     return (*ends_here, replace(found, rubric=exercise.rubric))
 
@@ -207,7 +210,9 @@ def _marked(at: int, said: str, written: str, asked: Answer) -> Marked:
     last = 10.0 ** (power - len(digits.partition(".")[2]))
     true, count = asked.value / _TURNS.get((unit, asked.unit), 1.0) / last, round(given / last)
     for factor, words in {1.0: "", **_FACTORS}.items():
-        if count not in (round(factor * true), math.trunc(factor * true)):
+        value = factor * true
+        # Half a digit goes either way, and what is computed is half a digit but for rounding.
+        if count not in {math.trunc(value), round(value - HALF), round(value + HALF)}:
             continue
         if not words:
             return Marked(at, said, Mark.FOLLOWS, what)

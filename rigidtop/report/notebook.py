@@ -1,12 +1,8 @@
 """Jupyter: symbols print as in the notes, claims with their verdicts; pictures, and sliders.
 
-    from rigidtop.report.notebook import enable, plot, sliders
-
-    enable()
-
-From then on a SymPy expression, a matrix or an `Equation` that ends a cell is typeset as the notes
-print it, a `Claim` is judged and shown with its verdict, and an `Exercise` asks.  It needs
-`pip install 'rigidtop[notebook]'`, and nothing else of rigidtop imports it.
+After `enable()`, which ``from rigidtop.notebook import *`` calls, a SymPy expression, a matrix or
+an `Equation` that ends a cell is typeset as the notes print it, a `Claim` is judged and shown with
+its verdict, and an `Exercise` asks.  It needs `pip install 'rigidtop[notebook]'`.
 """
 
 from __future__ import annotations
@@ -27,7 +23,7 @@ from matplotlib.figure import Figure as Canvas
 from PIL import Image
 from sympy import Basic
 
-from rigidtop.derivations import lecture, lecture_with
+from rigidtop.derivations import PAGES, lecture, lecture_with
 from rigidtop.derivations.exercises import EXERCISES
 from rigidtop.derivations.letters import LETTERS
 from rigidtop.errors import RigidtopError
@@ -222,6 +218,20 @@ def shown_blocks(thing: Claim | Judgement | Exercise | Solution | Steps) -> list
         if not (isinstance(block, Table) and block.head[-1] == "tolerance")
         and not (isinstance(block, Display) and block.label in left_out)
     ]
+
+
+def verdict(name: str) -> Claim:
+    """A claim of the lecture by its name; a notebook shows it judged.
+
+    Raises RigidtopError for a name that no claim has.
+
+    >>> verdict("axis-stability").name
+    'axis-stability'
+    """
+    for claim in (claim for page in PAGES for claim in page.claims):
+        if claim.name == name:
+            return claim
+    raise RigidtopError(f"no claim of the lecture is called {name!r}")
 
 
 def solution(name: str, **given: float) -> Solution:

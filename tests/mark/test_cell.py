@@ -7,6 +7,9 @@ import pytest
 
 from rigidtop.errors import RigidtopError
 from rigidtop.mark.cell import RECORD, answer, load_ipython_extension
+from rigidtop.mark.exercise import numbers
+from rigidtop.mark.questions import QUESTIONS
+from rigidtop.proof.units import parsed
 
 WRONG = r"$$\dot\theta = 0$$ $$\lambda_1\cos\theta\,\Omega^2 + \lambda_3\omega_3\Omega + MgR = 0$$"
 
@@ -103,3 +106,27 @@ def test_an_answer_has_a_name_for_a_test():
     ):
         with pytest.raises(RigidtopError, match=said):
             answer(line, WRONG)
+
+
+def test_an_exercise_of_the_notebooks_is_marked_by_its_numbers():
+    right = answer("exercise-2.3 --hint tries", "Omega_s = 0.711 rad/s\nbeta = 39.3°")
+    assert [line.mark.value for line in right.lines] == ["follows", "follows"]
+    assert right.marking.summary.startswith("2 of 3 numbers are right; asked are also Omega_b = …")
+    wrong = "longer = 1.994 s"
+    tries = Counter()
+    said = [repr(answer("exercise-1.3 --hint tries", wrong, tries)) for _ in range(3)]
+    assert "look at this line again" in said[0]
+    assert "it is off by a factor ½" in said[2]
+    with pytest.raises(RigidtopError, match=r"of exercise-1\.3 no derivation .* longer = … s"):
+        answer("exercise-1.3", r"$$\sigma = 1$$")
+
+
+def test_every_number_of_the_notebooks_has_a_unit_that_is_read():
+    asked = [x for each in QUESTIONS for x in numbers(each).values()]
+    assert (len(QUESTIONS), len(asked)) == (24, 40)
+    assert {x.unit for x in asked if parsed(x.unit) is None} == {"days"}
+
+
+@pytest.mark.parametrize("digits", ["2.45", "2.452", "2.453", "2.4525"])
+def test_half_a_digit_is_rounded_either_way(digits):
+    assert answer("exercise-5.3", f"Omega = {digits} rad/s").marking.passed

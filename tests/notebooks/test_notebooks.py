@@ -95,14 +95,17 @@ def test_the_copies_are_what_their_source_makes(build, executed, source):
 @each
 def test_only_the_teacher_has_solutions(source):
     cells = jupytext.read(source).cells
-    solutions = [cell for cell in cells if "solution" in cell.metadata.get("tags", [])]
+    tags = [cell.metadata.get("tags", [""])[0] for cell in cells]
+    solutions = [c for c, tag in zip(cells, tags, strict=True) if tag in ("solution", "lecturer")]
     of_teacher, of_student = ((NOTEBOOKS / kind / f"{source.stem}.ipynb") for kind in COPIES)
     teacher = {cell.source for cell in nbformat.read(of_teacher, as_version=4).cells}
     student = of_student.read_text("utf-8")
     everything = "\n".join(cell.source for cell in nbformat.reads(student, as_version=4).cells)
     lecture = "\n".join(cell.source for cell in cells if cell not in solutions)
-    assert len(solutions) >= 3
+    assert tags.count("solution") >= 3
+    assert tags.count("lecturer") >= 1
     assert '"solution"' not in student
+    assert "verdict" not in everything
     for solution in solutions:
         assert solution.source in teacher
         for line in solution.source.splitlines():
@@ -125,11 +128,42 @@ def test_exercises_are_numbered_and_have_room_for_an_answer(source):
         assert cells[i + 1].cell_type == "code"
         assert cells[i + 1].source == ""
         assert cells[i + 1].outputs == []
+        assert cells[i].source.count("<details>") == cells[i].source.count("</details>") == 2
+        check = cells[i + 2]
+        assert check.source.startswith(f"%%answer exercise-{chapter}.{number} --hint tries\n")
+        assert all(re.fullmatch(r"\w+ = ….*", line) for line in check.source.splitlines()[1:])
+        assert check.outputs == []
+
+
+@each
+def test_the_answers_of_the_teachers_copy_are_right(source):
+    """As many numbers as are asked, and each follows."""
+    checks = [c for c in shipped("teacher", source).cells if c.source.startswith("%%answer")]
+    assert len(checks) == 4
+    for check in checks:
+        [output] = check.outputs
+        count = len(check.source.splitlines()) - 1
+        assert output.data["text/plain"].endswith(f"\nall {count} numbers are right")
+        assert {*output.data} == {"text/plain", "text/markdown"}  # no record of a student
+
+
+@each
+def test_one_line_imports_all_and_nothing_is_asserted(source):
+    text = source.read_text("utf-8")
+    imports = re.findall("^(?:from|import) .*", text, re.M)
+    assert imports == ["from rigidtop.notebook import *"]
+    assert "\nassert " not in text
+
+
+def test_the_live_top_plays_in_the_fifth():
+    [cell] = [c for c in shipped("student", SOURCES[4]).cells if "rt.show(" in c.source]
+    assert "the page plays here" in cell.outputs[0].data["text/html"]
 
 
 @each
 def test_the_students_copy_is_executed(source):
     cells = [c for c in shipped("student", source).cells if c.cell_type == "code" and c.source]
+    cells = [c for c in cells if not c.source.startswith("%%answer")]
     assert [c.execution_count for c in cells] == list(range(1, len(cells) + 1))
     assert 12 <= len(shipped("student", source).cells) <= 60
     assert any("image/png" in o.get("data", {}) for c in cells for o in c.outputs)
@@ -203,20 +237,38 @@ x + 1
 
 # %% [markdown] tags=["solution"]
 # So.
+
+# %% tags=["check"]
+# %%answer stable-axes
+# period = 12.75 s
 """
 )
 
 
 def test_solutions_are_cut(tmp_path, build):
-    teacher = tiny(tmp_path, build, SOLVED)
+    teacher = tiny(tmp_path, build, '# %% tags=["lecturer"]\n7\n\n' + SOLVED)
+    asked = "%%answer stable-axes\nperiod = "
+    for count, cell in enumerate((c for c in teacher.cells if c.cell_type == "code"), 1):
+        cell.execution_count = count
+        cell.outputs = [nbformat.v4.new_output("execute_result", execution_count=count)]
     student = build.student(teacher)
-    assert [c.source for c in teacher.cells][-2:] == ["x + 1", "So."]
-    assert [c.source for c in student.cells] == ["Hello", "x = 1", "### Exercise 1.1\n\nWhy?", ""]
+    assert [c.source for c in teacher.cells][-3:] == ["x + 1", "So.", asked + "12.75 s"]
+    kept = ["Hello", "x = 1", "### Exercise 1.1\n\nWhy?", "", asked + "… s"]
+    assert [c.source for c in student.cells] == kept
+    counts = [c.execution_count for c in student.cells if c.cell_type == "code"]
+    assert counts == [1, None, None]
+    assert student.cells[1].outputs[0].execution_count == 1
+    assert student.cells[-1].outputs == []
 
 
 def test_an_exercise_needs_a_solution(tmp_path, build):
     with pytest.raises(build.BuildError, match="an exercise without a solution"):
         tiny(tmp_path, build, LESSON)
+
+
+def test_an_exercise_needs_a_check(tmp_path, build):
+    with pytest.raises(build.BuildError, match="an exercise without a check"):
+        tiny(tmp_path, build, SOLVED.partition('\n# %% tags=["check"]')[0])
 
 
 def test_no_code_behind_a_solution(tmp_path, build):
@@ -245,15 +297,15 @@ def test_a_stale_copy_is_seen(build):
 
 def test_the_builder_writes_and_checks(tmp_path):
     source = tmp_path / "1-tiny.py"
-    source.write_text(SOLVED, "utf-8")
+    source.write_text("# %%\n%load_ext rigidtop\n\n" + SOLVED, "utf-8")
     builder = shutil.copy(BUILD, tmp_path)
     done = python(builder)
     assert done.returncode == 0, done.stderr
-    assert nbformat.read(tmp_path / "student" / "1-tiny.ipynb", as_version=4).cells[-1].source == ""
-    source.write_text(SOLVED.replace("x + 1", "x + 2"), "utf-8")
+    assert nbformat.read(tmp_path / "student" / "1-tiny.ipynb", as_version=4).cells[-2].source == ""
+    source.write_text(source.read_text("utf-8").replace("x + 1", "x + 2"), "utf-8")
     done = python(builder, "1", "--check")
     assert done.returncode == 1
-    assert done.stderr == "teacher/1-tiny.ipynb: cell-04 is not what its source makes\n"
+    assert done.stderr == "teacher/1-tiny.ipynb: cell-05 is not what its source makes\n"
 
 
 @pytest.mark.parametrize(
@@ -267,3 +319,10 @@ def test_what_an_output_must_not_have(build, output, complaint):
     cell = nbformat.v4.new_code_cell("x", id="cell-01")
     with pytest.raises(build.BuildError, match=complaint):
         build._settled("1-tiny.py", cell, nbformat.from_dict(output))
+
+
+def test_the_live_page_is_not_kept_in_a_copy(build):
+    frame = {"text/html": "<iframe srcdoc=''></iframe>", "text/plain": "Page"}
+    shown = nbformat.v4.new_output("display_data", data=frame)
+    kept = build._settled("1-tiny.py", nbformat.v4.new_code_cell("x"), shown)
+    assert kept.data["text/html"] == "<em>Run this cell, and the page plays here.</em>"

@@ -196,3 +196,9 @@ def test_without_jupyter(monkeypatch, call):
         call()
     with pytest.raises(RigidtopError, match="pip install"):
         notebook.sliders(rates, "", omega3=(1.0, 10.0, 20.0)).widget()
+
+
+def test_a_verdict_is_asked_for_by_the_name_of_its_claim():
+    assert notebook.verdict("3.47") is euler_angle_matrix
+    with pytest.raises(RigidtopError, match="no claim of the lecture is called 'no-such'"):
+        notebook.verdict("no-such")
