@@ -20,6 +20,7 @@ from ..web.conftest import chrome
 
 pytest.importorskip("selenium", reason="selenium is missing")
 from selenium.webdriver import ActionChains, Keys
+from selenium.webdriver.support.wait import WebDriverWait
 
 X, Y = symbols("x y")
 
@@ -120,6 +121,20 @@ def test_a_citation_that_has_the_focus_has_a_card_and_a_way_back(shown):
     assert driver.switch_to.active_element == link
     assert not back.is_displayed()
     assert _card(driver) is None
+
+
+def test_a_number_in_the_address_leads_to_its_equation(shown, page):
+    driver, _ = shown
+    row = "return [document.querySelector(':target')?.className, location.hash]"
+    driver.execute_script("scrollTo(0, 500); location.hash = '1.1'")
+    WebDriverWait(driver, 5).until(lambda _: driver.execute_script(row)[0])
+    assert driver.execute_script(row) == ["row result", "#claim-1-1"]
+    assert driver.execute_script("return scrollY < 300")
+    driver.get("about:blank")
+    driver.get(f"{page[1]}#1.1")
+    assert driver.execute_script(row) == ["row result", "#claim-1-1"]
+    driver.execute_script("location.hash = '7.7'")
+    assert driver.execute_script(row) == [None, "#7.7"]
 
 
 def test_a_tap_opens_the_card_whose_number_leads_there(shown):

@@ -55,4 +55,11 @@
   };
   addEventListener("scroll", read, { passive: true });
   read();
+  // #3.57 leads to its equation.
+  const open = () => {
+    const name = `claim-${location.hash.slice(1).replace(".", "-")}`;
+    if (document.getElementById(name)) location.replace(`#${name}`);
+  };
+  addEventListener("hashchange", open);
+  open();
 })();
