@@ -51,8 +51,8 @@ HALVINGS = 6
     statement=r"Let $A$ be a turn by the angle $2\alpha_1$ about $\mathbf n_1$, $B$ one by "
     r"$2\alpha_2$ about $\mathbf n_2$, and $\gamma$ the angle between these axes. Show "
     "that $AB$ is a rotation, and find its angle and axis. Convince yourself of what "
-    "else makes a group: a neutral element, inverses, $(AB)D = A(BD)$ for a third turn "
-    "$D$.\n\nThe order matters: by what angle do $AB$ and $BA$ differ? Halve both angles "
+    "else makes a group: a neutral element, inverses, $(AB)C = A(BC)$ for a third turn "
+    "$C$.\n\nThe order matters: by what angle do $AB$ and $BA$ differ? Halve both angles "
     "again and again: what is that angle for small turns, and about which axis?",
     claims=(rotation_group, product_of_rotations, commutator_of_rotations),
     parameters=(
@@ -121,7 +121,7 @@ def rotations_form_a_group(alpha: float, beta: float, gamma: float) -> Iterator[
         "$AB$ is orthogonal": (A @ B).T @ (A @ B) - one,
         r"$\det(AB) - 1$": np.linalg.det(A @ B) - 1,
         "$A^{-1}$ is a turn by the opposite angle": about(first, -alpha) @ A - one,
-        "$(AB)D - A(BD)$": (A @ B) @ C - A @ (B @ C),
+        "$(AB)C - A(BC)$": (A @ B) @ C - A @ (B @ C),
         "angle of $AB$ against SciPy (rad)": np.linalg.norm(by_scipy) - angle,
     }
     for what, error in errors.items():
