@@ -657,7 +657,7 @@ def test_a_hand_is_caught_by_the_steady_rates(live):
 def test_the_map_of_starts_sets_both(live):
     live.open(HEAVY, "#preset=cusps&play=0")
     box = live.find("#regimes canvas")
-    ActionChains(live.driver).move_to_element_with_offset(box, -40, -30).click().perform()
+    ActionChains(live.driver).move_to_element_with_offset(box, -40, -20).click().perform()
     live.wait("rigidtop.motion.setup.values.phi_dot !== 0")
     assert live.values["phi_dot"] < 0
     assert 0 < live.values["omega3"] < 12
@@ -751,6 +751,24 @@ def test_embedded_only_the_picture_and_time_are_left(live):
         assert not live.find(selector).is_displayed()
     live.open(HEAVY, "#embed=yes&play=0")
     assert "embed=yes, which is none of 0, 1, 2" in live.find("#notice").text
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 800), (1440, 900), (1920, 1080)])
+def test_the_map_stands_beside_the_sphere(live, width, height):
+    """The sphere, of radius 1, as the scene draws it: see scene.js."""
+    size = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
+    live.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        live.open(HEAVY, f"{STILL}&preset=loops")
+        low = live.js("document.querySelector('#corner .start-map').getBoundingClientRect()")
+        scene = live.js("document.querySelector('#scene').getBoundingClientRect()")
+        tangent = math.tan(math.radians(13.5)) / min(1, scene["width"] / scene["height"]) * 1.08
+        radius = scene["height"] / 2 / tangent * math.tan(math.asin(1 / 5.2))
+        x = scene["x"] + (0.5 + 0.08) * scene["width"] - low["right"]
+        y = scene["y"] + (0.5 + 0.045) * scene["height"] - low["bottom"]
+        assert math.hypot(x, y) > radius + 5
+    finally:
+        live.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
 
 def test_a_blow_goes_on_from_where_it_is(live):

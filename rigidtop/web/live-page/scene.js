@@ -13,8 +13,10 @@ import { createTrail } from "./trail.js";
 const SIGHT = (13.5 * Math.PI) / 180;
 /** What stands on the origin needs room above: the origin is lower by this part of the height. */
 const LOWER = 0.045;
-/** What lies over its left corner moves it to the right by this part of the width. */
-const ASIDE = 0.06;
+/** For what stands in its left corner it moves to the right by this part of the width, */
+const ASIDE = 0.08;
+/** and is smaller by this factor. */
+const SMALLER = 1.08;
 /** Where the camera is at first: distance, azimuth from x, elevation. */
 const HOME = { distance: 5.2, azimuth: 0.6, elevation: 0.36 };
 /** Lengths of arrows for the values at t = 0, and the longest that is drawn. */
@@ -215,7 +217,7 @@ export function createScene(/** @type {HTMLElement} */ container, /** @type {Col
   /** Fit the scene into the picture. */
   function aim() {
     camera.aspect = width / height;
-    const tangent = Math.tan(SIGHT) / Math.min(1, camera.aspect);
+    const tangent = (Math.tan(SIGHT) / Math.min(1, camera.aspect)) * (aside ? SMALLER : 1);
     camera.fov = (2 * Math.atan(tangent) * 180) / Math.PI;
     const stands = view === "space" || motion?.setup.kind === "heavy-top";
     const lower = stands ? LOWER * height : 0;
