@@ -771,6 +771,20 @@ def test_the_map_stands_beside_the_sphere(live, width, height):
         live.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
 
+def test_pivot_arm_and_centre_of_mass_are_lettered(live):
+    """From below upwards where the top stands nearly upright; a free body has none of them."""
+    named = "[...document.querySelectorAll('#scene span')].filter((x) => x.style.display !== 'none'"
+    named += " && ['pivot', 'R', 'CM'].includes(x.textContent)).map((x) =>"
+    named += " [x.textContent, x.getBoundingClientRect().y, x.getBoundingClientRect().x])"
+    live.show(HEAVY, f"{STILL}&preset=sleeping")
+    names, heights, sides = zip(*live.js(named), strict=True)
+    assert names == ("pivot", "R", "CM")
+    assert heights[0] > heights[1] + 10 > heights[2] + 20
+    assert max(sides) - min(sides) < 40
+    live.show(FREE, STILL)
+    assert live.js(named) == []
+
+
 def test_a_blow_goes_on_from_where_it_is(live):
     live.open(HEAVY, "#preset=slow&play=0&t=1")
     live.wait("rigidtop.motion.now.t === 1")

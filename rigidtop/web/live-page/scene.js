@@ -17,6 +17,8 @@ const LOWER = 0.045;
 const ASIDE = 0.08;
 /** and is smaller by this factor. */
 const SMALLER = 1.08;
+/** By how much the pivot's name stands below it. */
+const BELOW = 0.04;
 /** Where the camera is at first: distance, azimuth from x, elevation. */
 const HOME = { distance: 5.2, azimuth: 0.6, elevation: 0.36 };
 /** Lengths of arrows for the values at t = 0, and the longest that is drawn. */
@@ -86,6 +88,8 @@ export function createScene(/** @type {HTMLElement} */ container, /** @type {Col
   e2.arrow.point(0, 1, 0, 1);
   e3.arrow.point(0, 0, 1, 1);
   const axisLabels = ["x", "y", "z"].map((text) => labels.add(text, true));
+  /** From the pivot of a held body by R to its centre of mass. */
+  const armLabels = ["pivot", "R", "CM"].map((text) => labels.add(text));
 
   /** @type {Motion | null} */
   let motion = null;
@@ -230,6 +234,7 @@ export function createScene(/** @type {HTMLElement} */ container, /** @type {Col
     labels.setHalo(back);
     notice.style.color = ink;
     for (const label of axisLabels) label.element.style.color = muted;
+    for (const { element } of armLabels) element.style.cssText += `font-size:0.78em;color:${ink}`;
     touch();
   }
 
@@ -375,6 +380,12 @@ export function createScene(/** @type {HTMLElement} */ container, /** @type {Col
       label.at.set(k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0);
       label.at.multiplyScalar(AXIS).applyQuaternion(world.quaternion);
     });
+    armLabels.forEach((label, k) => {
+      label.wanted = surroundings.floor.visible;
+      if (label.wanted) label.at.copy(bodies.ground.centre).multiplyScalar(k / 2);
+      label.at.applyQuaternion(attitude).applyQuaternion(world.quaternion);
+    });
+    if (armLabels[0].wanted) armLabels[0].at.set(0, 0, -BELOW).applyQuaternion(world.quaternion);
     labels.place(camera, width, height);
   }
 
