@@ -46,6 +46,12 @@ from rigidtop.tree.statement import Statement
 
 def judged(question: Question) -> Judgement:
     """The outcome of ≈; raises UnclearError."""
+    if question.inner and question.worlds.vanish([left for left, _ in question.both]):
+        # Of 0 = a ≈ b it is asked how a becomes b, whatever it is that vanishes.
+        said = question.left
+        own = tuple(c for c in question.context.constraints if said not in (c.left, c.right))
+        if len(own) < len(question.context.constraints):
+            question = question.within(replace(question.context, constraints=own))
     defined = definitions.definition(question, question.left, question.right)
     if defined is None and question.at.closed:  # ω₁ ≈ w names w
         defined = definitions.definition(question, question.right, question.left)

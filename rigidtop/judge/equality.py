@@ -32,7 +32,7 @@ from rigidtop.judge.jets import jet_of, rate
 from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.numbers import A_MINUTE, are_numbers, compared
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, UNDECIDED, Outcome
-from rigidtop.judge.question import Judgement, Pair, Question
+from rigidtop.judge.question import Judgement, Pair, Path, Question
 from rigidtop.judge.rest import staying
 from rigidtop.judge.sides import ZERO, letters_of, own_letters
 from rigidtop.judge.values import UnclearError
@@ -265,6 +265,8 @@ def _path(question: Question, holds: bool | None) -> Judgement | None:
     if not laws:
         return Outcome(DEFINITION, f"what {in_words(question.left)} stands for"), tried
     new = question.new_letters
+    if not new and not question.inner and _is_another(question, path):
+        return Outcome(UNDECIDED, "it is another motion than the one above"), question.context
     if paths.solves(question, path.value) or paths.goes_with_others(question, path.value):
         rests_on = frozenset().union(*(each.rests_on for each in laws))
         rests_on |= question.rests_on_meaning
@@ -285,6 +287,17 @@ def _path(question: Question, holds: bool | None) -> Judgement | None:
         return _judged_new(question, holds)
     # A motion that does not obey what holds brings nothing new.
     return _wrong(question, holds)
+
+
+def _is_another(question: Question, path: Path) -> bool:
+    """Whether the text has said another motion with the same letters, and no condition since."""
+    above = question.context.definitions.get(path.letter)
+    if above is None or not above.motion or above.scope != question.at.scope:
+        return False
+    if any(bound.number > above.number for bound in question.context.bounds):
+        return False
+    both = question.of([(question.meaning().scalar(path.letter), path.value)])
+    return bool(both.worlds.count) and not both.holds()
 
 
 def _speed(question: Question) -> Judgement | None:

@@ -76,6 +76,7 @@ class Judge:
 
     def judged(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
         """What becomes of a statement, and what is known after it."""
+        statement = _without_places(statement)
         statement, context = approximations.limited(statement, situation, context)
         context = context.moved(moving_in(statement))
         if _says_its_places(statement):
@@ -365,6 +366,17 @@ class Judge:
         return Question(left, right, at, premises, self.patience, inner)
 
 
+def _without_places(statement: Statement) -> Statement:
+    """A chain without a side that says what its letter depends on: r = r(q₁, q₂) = x i + y j."""
+    head, *others = statement.sides
+    said = [k for k, x in enumerate(others) if isinstance(x, n.Call) and x.function == head]
+    if len(others) < 2 or not said or len(said) == len(others):
+        return statement
+    kept = [k for k in range(len(others)) if k not in said]
+    sides = (head, *(others[k] for k in kept))
+    return replace(statement, sides=sides, relations=tuple(statement.relations[k] for k in kept))
+
+
 def _says_its_places(statement: Statement) -> bool:
     """Whether a letter is said to depend on others, and no more: L = L(q, q̇, t)."""
     left, *_, right = statement.sides
@@ -496,4 +508,13 @@ def _conditioned(question: Question, relation: str) -> Judgement:
             limit = Limit(more, True, question.at.sentence)
             kept = tuple(x for x in context.little if x and more not in x)
             context = replace(context, little=kept, limits=(*context.limits, limit))
-    return Outcome(PREMISE, "a condition"), context
+    # At the end of a chain it is not shown by the links before it.
+    shown = question.at.closed or _is_seen(question, relation)
+    return Outcome(PREMISE, "a condition", restricts=not shown), context
+
+
+def _is_seen(question: Question, relation: str) -> bool:
+    """Whether a bound holds in every world."""
+    signs = question.worlds.signs(question.gaps) if relation in (*GREATER, *LESS) else None
+    wanted = 1 if relation in GREATER else -1
+    return signs is not None and bool((signs == wanted).all())

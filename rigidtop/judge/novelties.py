@@ -66,13 +66,15 @@ def letters(question: Question) -> Judgement | None:
 
 
 def _are_zero(question: Question, new: Sequence[Letter], kind: str) -> bool:
-    """Whether it can only hold if the new letters, which stand in each term, are zero."""
+    """Whether it can only hold if the new letters are zero, as the rest of it vanishes."""
     nothing = {alone(x): 0 for x in new if not is_vector(x)}
     said = question.right == ZERO or len(nothing) < len(new)  # x = 0 says just that
-    if said or any(gap.subs(nothing) != 0 for gap in question.gaps):
+    rest = [gap.subs(nothing) for gap in question.gaps]
+    if said or not (not any(rest) or question.worlds.holds([(gap, 0 * gap) for gap in rest])):
         return False
     known = question.context.holding(question.constraint(kind))
-    return not question.of(question.both, known).worlds.count
+    there = question.of(question.both, known).worlds
+    return not there.count or bool(there.zeros - question.worlds.zeros)
 
 
 def _square(question: Question) -> Letter | None:

@@ -39,6 +39,8 @@ def _root(question: Question, nearly: bool) -> Judgement | None:
     letter, context, at = question.left, question.context, question.at
     if not isinstance(letter, Letter) or letter in context.definitions or at.instant:
         return None
+    if len(question.both) != 1:  # of any one of several
+        return None
     x, [(_, right)] = alone(letter), question.both
     for each in reversed((*context.constraints, *context.followed)):
         if letter in each.letters and not each.instant:

@@ -93,7 +93,7 @@ def _acts(grammar: Grammar) -> bool:
     """Whether something stands behind a name that a function can act on: sec² α, but 5 sec²."""
     at = grammar.at + (2 if grammar.is_sign("^") else 0)
     behind = grammar.items[at] if at < len(grammar.items) else None
-    return behind is not None and behind.kind in ("open", "letter", "number", "group")
+    return behind is not None and behind.kind in ("open", "letter", "number", "group", "command")
 
 
 _PRIMARIES: Final[dict[str, Callable[[Grammar], Node]]] = {

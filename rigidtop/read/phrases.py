@@ -191,6 +191,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"\b(?:not|nicht|pas)(?: (?:true|the case|have|get|so|that|equal|wahr|dass|vrai|que|,))*",
         r"\b(?:unless|es sei denn(?:,? dass)?|sauf si|à moins que)",
         r"\b(?:might|could|would) (?:think|expect|guess|believe|hope)(?: that)?",
+        r"\b(?:goals?|aims?|objectives?|Ziel) (?:is|are|will be|was|ist)\b[^.]{0,40}",
         r"\b(?:wrong|false|no longer true|untrue|incorrect|a mistake|falsch|faux)(?: (?:that"
         r"|to \w+(?: that)?)"
         r"|,? dass| que)?",

@@ -228,9 +228,9 @@ def verdict(name: str) -> Claim:
     >>> verdict("axis-stability").name
     'axis-stability'
     """
-    for claim in (claim for page in PAGES for claim in page.claims):
-        if claim.name == name:
-            return claim
+    claims: dict[str, Claim] = {claim.name: claim for page in PAGES for claim in page.claims}
+    if name in claims:
+        return claims[name]
     raise RigidtopError(f"no claim of the lecture is called {name!r}")
 
 
