@@ -70,7 +70,9 @@ def _are_zero(question: Question, new: Sequence[Letter], kind: str) -> bool:
     nothing = {alone(x): 0 for x in new if not is_vector(x)}
     said = question.right == ZERO or len(nothing) < len(new)  # x = 0 says just that
     rest = [gap.subs(nothing) for gap in question.gaps]
-    if said or not (not any(rest) or question.worlds.holds([(gap, 0 * gap) for gap in rest])):
+    # A law may have a force besides, but not what is worked out from it.
+    vanishes = question.inner and question.worlds.holds([(gap, 0 * gap) for gap in rest])
+    if said or (any(rest) and not vanishes):
         return False
     known = question.context.holding(question.constraint(kind))
     there = question.of(question.both, known).worlds

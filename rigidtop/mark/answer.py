@@ -10,18 +10,15 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 from rigidtop.errors import RigidtopError
-from rigidtop.judge.context import LAW, SETTING, START, Constraint, Context, Definition, Habits
+from rigidtop.judge.context import START, Context
 from rigidtop.judge.equality import ALL_VANISH
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
-from rigidtop.judge.laws import LAGRANGIANS
 from rigidtop.judge.letters import CLOCK
-from rigidtop.judge.names import vector_of
 from rigidtop.judge.neighbours import around
 from rigidtop.judge.outcome import (
     DEFINITION,
@@ -37,17 +34,23 @@ from rigidtop.judge.reading import Read, read_text
 from rigidtop.judge.sides import NEARLY, ZERO
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.text import in_time
-from rigidtop.judge.vocabulary import Meant
 from rigidtop.mark import linear, variants
-from rigidtop.mark.arrival import equalities, head, holds_on, is_reached, is_said, is_trivial
+from rigidtop.mark.arrival import equalities, holds_on, is_reached, is_said, is_trivial
 from rigidtop.mark.assertions import asserted
-from rigidtop.mark.facts import GIVEN, is_turned, with_angles
+from rigidtop.mark.contexts import (
+    believing,
+    free_letters,
+    in_angles,
+    in_names_of,
+    with_habits,
+    without_facts,
+)
 from rigidtop.mark.marking import Mark, Marked, Marking
-from rigidtop.mark.task import ALWAYS, Branch, Task, Together, letters
+from rigidtop.mark.task import Branch, Task, Together
 from rigidtop.read.phrases import Cue
 from rigidtop.read.walk import places
 from rigidtop.tree import nodes as n
-from rigidtop.tree.nodes import Letter, Node
+from rigidtop.tree.nodes import Node
 from rigidtop.tree.plain import plain
 from rigidtop.tree.statement import Statement, Unread
 
@@ -74,7 +77,7 @@ def mark(
     until = time.process_time() + altogether
     source = _CODE.sub(lambda match: f" {match[1]} ", source)
     read, _ = read_text(source, until=until, plain=True)
-    task = _in_angles(read, _in_names_of(read, task))
+    task = in_angles(read, in_names_of(read, task))
     answer = _Answer.begun(source, read, task)
     lines: list[Marked] = []
     line_of = places(source)
@@ -155,9 +158,9 @@ class _Answer:
     @classmethod
     def begun(cls, source: str, read: Read, task: Task) -> _Answer:
         own = habits_of([each for _, each in read if isinstance(each, Statement)])
-        contexts = tuple(_with_habits(context, own) for context in task.contexts)
+        contexts = tuple(with_habits(context, own) for context in task.contexts)
         in_body = bool(variants.BODY.search(source))
-        names = _with_habits(task.names, own)
+        names = with_habits(task.names, own)
         return cls(Judge(), contexts, names, task.branches, in_body=in_body)
 
     def after(
@@ -190,7 +193,7 @@ class _Answer:
             searched = judged((*self.contexts, self.names), self.judge)
             outcome = next((o for o, _ in searched if o.slip), outcome)
         if outcome.verdict == FALSE and not outcome.slip and not self.believed:
-            free = _free_letters(each, self.contexts[place])
+            free = free_letters(each, self.contexts[place])
             # It may say what is meant with them.
             why = f"it does not follow from what is said of {', '.join(map(plain, free))}"
             outcome = Outcome(UNDECIDED, why) if free else outcome
@@ -209,7 +212,7 @@ class _Answer:
             believed = tuple(context for _, context in in_error)
             carried = outcome.verdict == FALSE and any(o.passed for o, _ in in_error)
         elif outcome.verdict == FALSE:
-            believed = tuple(_believing(context, each) for context in self.contexts)
+            believed = tuple(believing(context, each) for context in self.contexts)
         chain = (*self.chain, *each.sides[1:]) if each.continues and self.chain else each.sides
         sound, momentary = self.sound, self.momentary
         passes = outcome.passed is not False and outcome.verdict != UNDECIDED
@@ -269,7 +272,7 @@ class _Answer:
         aside = self.aside if at.sentence == self.aside_sentence else None
         known = aside or self.contexts[-1]
         quick, at = Judge(self.judge.memory, patience=Patience(0)), at.hearing(Cue.CASE)
-        judgements = _judged(quick, each, at, (known, _without_facts(known)), limits)
+        judgements = _judged(quick, each, at, (known, without_facts(known)), limits)
         fits = (x for x in judgements if x[0].passed or x[0].verdict in (PREMISE, DEFINITION))
         outcome, aside = next(fits, judgements[0])
         return replace(self, aside=aside, aside_sentence=at.sentence), outcome, 0
@@ -287,7 +290,7 @@ class _Answer:
         fails = outcome.verdict == FALSE or (outcome.verdict == UNDECIDED and at.inline)
         if not fails or (aside is None and not begins):
             return Outcome(UNDECIDED), aside
-        known = aside or _without_facts(self.contexts[0])
+        known = aside or without_facts(self.contexts[0])
         quick = Judge(self.judge.memory, patience=Patience(0))
         value = isinstance(each.sides[-1], n.Number) and len(n.letters(each.sides[0])) == 1
         at = at.hearing(Cue.CASE) if value or supposes else at
@@ -360,36 +363,6 @@ class _Answer:
         ]
 
 
-def _free_letters(each: Statement, context: Context) -> list[Letter]:
-    """The letters that no facts know, not even as a part of a vector, and nothing says they are."""
-    known = ALWAYS | context.given | context.declared | context.definitions.keys()
-
-    def is_known(x: Letter) -> bool:
-        return {x, vector_of(x), replace(x, sub=x.sub.strip("±∓"))} & known != set()
-
-    held = frozenset().union(*(c.letters for c in context.constraints if c.number >= 0))
-    return sorted((x for x in letters(each) - held if not is_known(x)), key=plain)
-
-
-def _without_facts(context: Context) -> Context:
-    """A context with what the answer itself has set, and with no law."""
-    own = tuple(c for c in context.constraints if c.number >= 0)
-    return replace(context, constraints=own, lawless=True)
-
-
-def _believing(context: Context, each: Statement) -> Context:
-    """A context in which a wrong line is right, and the laws that it offends are not known."""
-    left, right = each.sides[0], each.sides[-1]
-    kept = tuple(c for c in context.constraints if c.kind == SETTING or c.number >= 0)
-    if isinstance(left, Letter) and left in context.definitions:
-        number = context.definitions[left].number
-        lawless = context.lawless and left not in LAGRANGIANS
-        changed = replace(context, constraints=kept, lawless=lawless)
-        return changed.defining(left, Definition(right, number))
-    laws = tuple(Constraint(a, b, -1, LAW) for a, b in pairwise(each.sides))
-    return replace(context, constraints=(*kept, *laws), lawless=True)
-
-
 def _best(outcomes: Sequence[Outcome], contexts: Sequence[Context]) -> int:
     """In which context a line does best: it follows, else is set or named, else is wrong.
 
@@ -415,56 +388,6 @@ def _is_of_numbers(each: Statement) -> bool:
         return n.Number("1") if isinstance(node, n.Absolute) else node
 
     return not any(x.bold for side in each.sides for x in n.letters(n.mapped(side, length)))
-
-
-def _in_names_of(read: Read, task: Task) -> Task:
-    """A task in which functions that an answer gives itself, as U(θ), are not those of the pages.
-
-    What each goal speaks of keeps its name.
-    """
-    heads = (each.sides[0] for _, each in read if isinstance(each, Statement) and each.relations)
-    named = {head(side) for side in heads if isinstance(side, n.Call)}
-    spoken = [frozenset().union(*map(letters, goal)) for goal in task.goals]
-    named -= frozenset.intersection(*spoken)
-    contexts = tuple(_without_names(context, named) for context in task.contexts)
-    return replace(task, contexts=contexts, names=_without_names(task.names, named))
-
-
-_ANGLES = frozenset({Letter("θ"), Letter("φ")})
-
-
-def _in_angles(read: Read, task: Task) -> Task:
-    """A task about a body whose attitude has Euler's angles, if the answer writes them."""
-    stated = (each for _, each in read if isinstance(each, Statement))
-    spoken = frozenset().union(*map(letters, stated))
-    if not _ANGLES & spoken or not all(map(is_turned, task.contexts)):
-        return task
-    return replace(task, contexts=tuple(map(with_angles, task.contexts)))
-
-
-def _without_names(context: Context, named: Collection[Node]) -> Context:
-    """A context in which these letters are not what the pages call so."""
-    dropped = {
-        letter
-        for letter, each in context.definitions.items()
-        if letter in named and each.number == GIVEN and not isinstance(each.node, Meant)
-    }
-    kept = {x: each for x, each in context.definitions.items() if x not in dropped}
-    known = replace(context, definitions=kept, letters=context.letters - dropped)
-    return replace(known, given=context.given - dropped)
-
-
-def _with_habits(context: Context, own: Habits) -> Context:
-    """A context in which the answer's own letters have rates and places too."""
-    habits = context.habits
-    return replace(
-        context,
-        habits=replace(
-            own,
-            moving=habits.moving | own.moving | own.vectors - context.given,
-            lengths=habits.lengths | own.lengths - {*context.definitions} - context.given,
-        ),
-    )
 
 
 # --- Marks ---------------------------------------------------------------------------------------
