@@ -69,7 +69,7 @@ def _telling(letter: Symbol, values: Floats) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class SystemMotions(Sequence[SystemMotion]):
-    """Many motions of a system; made by `System.motions`.  It is a sequence of `SystemMotion`s."""
+    """Many motions of a system, a sequence of them; made by `System.motions`."""
 
     system: Computed
     parameters: Floats = field(repr=False)
