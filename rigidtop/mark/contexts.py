@@ -30,8 +30,17 @@ def free_letters(each: Statement, context: Context) -> list[Letter]:
     def is_known(x: Letter) -> bool:
         return {x, vector_of(x), replace(x, sub=x.sub.strip("±∓"))} & known != set()
 
-    held = frozenset().union(*(c.letters for c in context.constraints if c.number >= 0))
-    return sorted((x for x in letters(each) - held if not is_known(x)), key=plain)
+    # What stands alone with what is known in a line above is fixed by that.
+    own = [c.letters for c in context.constraints if c.number >= 0]
+    fixed: set[Letter] = set()
+    while new := {
+        x
+        for spoken in own
+        for x in spoken - fixed
+        if all(y == x or y in fixed or is_known(y) for y in spoken) and not is_known(x)
+    }:
+        fixed |= new
+    return sorted((x for x in letters(each) - fixed if not is_known(x)), key=plain)
 
 
 def without_facts(context: Context) -> Context:
