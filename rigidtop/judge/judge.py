@@ -37,7 +37,9 @@ from rigidtop.judge.sides import (
     moving_in,
     named,
     own_letters,
+    says_its_places,
     with_constant_last,
+    without_places,
 )
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.suppositions import suppositions
@@ -76,10 +78,10 @@ class Judge:
 
     def judged(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
         """What becomes of a statement, and what is known after it."""
-        statement = _without_places(statement)
+        statement = without_places(statement)
         statement, context = approximations.limited(statement, situation, context)
         context = context.moved(moving_in(statement))
-        if _says_its_places(statement):
+        if says_its_places(statement):
             why = f"what {in_words(statement.sides[0])} depends on"
             return Outcome(PREMISE, why), context.knowing(letters_in(statement))
         outcome, after = self._for_each(statement, situation, context)
@@ -366,26 +368,6 @@ class Judge:
         return Question(left, right, at, premises, self.patience, inner)
 
 
-def _without_places(statement: Statement) -> Statement:
-    """A chain without a side that says what its letter depends on: r = r(q₁, q₂) = x i + y j."""
-    head, *others = statement.sides
-    said = [k for k, x in enumerate(others) if isinstance(x, n.Call) and x.function == head]
-    if len(others) < 2 or not said or len(said) == len(others):
-        return statement
-    kept = [k for k in range(len(others)) if k not in said]
-    sides = (head, *(others[k] for k in kept))
-    return replace(statement, sides=sides, relations=tuple(statement.relations[k] for k in kept))
-
-
-def _says_its_places(statement: Statement) -> bool:
-    """Whether a letter is said to depend on others, and no more: L = L(q, q̇, t)."""
-    left, *_, right = statement.sides
-    alone = len(statement.sides) == 2 and statement.relations[0] in EQUALS
-    return (
-        alone and isinstance(right, n.Call) and isinstance(left, Letter) and right.function == left
-    )
-
-
 def _may_be_elsewhere(statement: Statement, at: Situation, context: Context) -> bool:
     """Whether it says anew what stands above, in circumstances that only words tell."""
     told = Cue.CIRCUMSTANCE in at.cues and not at.closed
@@ -509,8 +491,7 @@ def _conditioned(question: Question, relation: str) -> Judgement:
             kept = tuple(x for x in context.little if x and more not in x)
             context = replace(context, little=kept, limits=(*context.limits, limit))
     # At the end of a chain it is not shown by the links before it.
-    shown = question.at.closed or _is_seen(question, relation)
-    return Outcome(PREMISE, "a condition", restricts=not shown), context
+    return Outcome(PREMISE, "a condition", restricts=not _is_seen(question, relation)), context
 
 
 def _is_seen(question: Question, relation: str) -> bool:

@@ -94,7 +94,8 @@ def _exponential(matrix: MatrixBase) -> Value:
     half = matrix.trace() / 2
     rest = matrix - half * sympy.eye(2)
     turn = sympy.sqrt(rest.det())  # of J, with J² = −1, it is 1
-    inner = sympy.cos(turn) * sympy.eye(2) + sympy.sin(turn) / turn * rest
+    ratio = sympy.sin(turn) / turn if turn != 0 else 1
+    inner = sympy.cos(turn) * sympy.eye(2) + ratio * rest
     return ImmutableMatrix(sympy.exp(half) * inner)
 
 

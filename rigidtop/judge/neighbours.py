@@ -35,7 +35,7 @@ def beside(statement: Statement, at: Situation, context: Context, memory: Memory
     steady = _Steady.of(small, context, memory)
     if steady is None:
         return None
-    for gap in steady.gaps(ZERO, {}, context.habits.moving):
+    for gap in steady.gaps(None, {}, context.habits.moving):
         constraint = Constraint(Meant(gap), ZERO, at.number, SETTING, at.scope)
         context = context.holding(constraint)
     return context
@@ -67,6 +67,11 @@ def around(statement: Statement, number: int, context: Context, memory: Memory) 
     for letter, value in passed.items():
         known = known.holding(Constraint(letter, value, number, LAW, (), STEADY))
     return known
+
+
+def is_steady(context: Context) -> bool:
+    """Whether a motion beside a steady one is supposed."""
+    return any(c.instant == STEADY for c in context.constraints)
 
 
 def _varying(statement: Statement, context: Context) -> Context:
@@ -134,13 +139,13 @@ class _Steady:
         return None if any(L.has(symbol(q)) for q in others) else cls(L, place, others)
 
     def gaps(
-        self, centre: Letter | n.Number, names: Mapping[Letter, Letter], moving: frozenset[Letter]
+        self, centre: Letter | None, names: Mapping[Letter, Letter], moving: frozenset[Letter]
     ) -> list[Expr]:
         """What vanishes: the law of the coordinate at its centre, the changes of the momenta.
 
-        `names` are those of the rates of the others, where they have one.
+        Without a `centre` that is zero; `names` are those of the rates of the others, if they have.
         """
-        middle = symbol(Jet(centre)) if isinstance(centre, Letter) else Integer(0)
+        middle = symbol(Jet(centre)) if centre is not None else Integer(0)
         speeds = [symbol(replace(q, order=1)) for q in self.others]
         still = [names.get(q.letter, _hidden(q.letter)) for q in self.others]
         rates = {speed: symbol(Jet(name)) for speed, name in zip(speeds, still, strict=True)}

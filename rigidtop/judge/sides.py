@@ -135,3 +135,23 @@ def with_constant_last(statement: Statement) -> Statement:
 def other_root(node: Node) -> Node:
     """A root with the other sign."""
     return n.Negative(node) if isinstance(node, n.Root) else node
+
+
+def without_places(statement: Statement) -> Statement:
+    """A chain without a side that says what its letter depends on: r = r(q₁, q₂) = x i + y j."""
+    head, *others = statement.sides
+    said = [k for k, x in enumerate(others) if isinstance(x, n.Call) and x.function == head]
+    if len(others) < 2 or not said or len(said) == len(others):
+        return statement
+    kept = [k for k in range(len(others)) if k not in said]
+    sides = (head, *(others[k] for k in kept))
+    return replace(statement, sides=sides, relations=tuple(statement.relations[k] for k in kept))
+
+
+def says_its_places(statement: Statement) -> bool:
+    """Whether a letter is said to depend on others, and no more: L = L(q, q̇, t)."""
+    left, *_, right = statement.sides
+    alone = len(statement.sides) == 2 and statement.relations[0] in EQUALS
+    return (
+        alone and isinstance(right, n.Call) and isinstance(left, Letter) and right.function == left
+    )

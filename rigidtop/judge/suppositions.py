@@ -65,9 +65,9 @@ def _possible(
     yield Supposition(turned, at, context, words="with a prime for the rate")
     along = _along_the_motion(statement, context)
     yield Supposition(along, at, context, words="along the motion" if along != statement else "")
-    passed = _where_it_passes(statement, context)
-    for each in (statement, along):
-        yield Supposition(each, replace(at, instant=passed or at.instant), context)
+    if passed := _where_it_passes(statement, context):
+        for each in dict.fromkeys((statement, along)):
+            yield Supposition(each, replace(at, instant=passed), context)
     stated = states.stated(statement, at, context)
     yield Supposition(statement, at, stated or context, tells=True)
     nearly = _to_first_order(at, context)

@@ -256,16 +256,16 @@ def _found(
     every = np.zeros((len(letters), 0), complex)
     for seed in range(_SEEDS):
         try:
-            begins = starts(letters, seed, backwards)[:, : 3 * enough]
+            origins = starts(letters, seed, backwards)[:, : 3 * enough]
             points, exact = _with_amplitudes(
-                equations, letters, begins, weights, enough, amplitudes
+                equations, letters, origins, weights, enough, amplitudes
             )
             if not exact.any():
-                points, exact = solved(equations, letters, begins, weights, enough)
+                points, exact = solved(equations, letters, origins, weights, enough)
             if exact.any() and not _stay(points, exact, parameters).any():
                 # A parameter that everything is multiplied by goes to zero.
                 bare = [_without_factors(x, fixed) for x in equations]
-                points, exact = solved(bare, letters, begins, weights, enough)
+                points, exact = solved(bare, letters, origins, weights, enough)
             exact &= _is_not_zero(not_zero, letters, points)
         except UnknownFunctionError:
             break
@@ -274,8 +274,7 @@ def _found(
         every = np.hstack([every, points[:, exact]])
         if not every.size and (seed or not speeds):
             break  # what does not hold together at so many places hardly does at others
-        zero = np.abs(np.vstack([every, Program(letters, every).values(sums).values])) < 1e-6
-        real = np.abs(every.imag).max(axis=0, initial=0) < 1e-9
+        zero, real = _vanishing(letters, every, sums)
         # What vanishes wherever it was tried has to vanish: no other place will tell more.
         forced = zero[:, real].all(axis=1, keepdims=True)
         if (real & (zero <= forced).all(axis=0)).sum() >= enough:
@@ -288,8 +287,7 @@ def _found(
         points, exact = solved(equations, letters, turned, weights, enough)
         exact = _stay(points, exact, parameters | free)
         every = np.hstack([every, points[:, exact & (np.abs(points) < 1e4).all(axis=0)]])
-        zero = np.abs(np.vstack([every, Program(letters, every).values(sums).values])) < 1e-6
-        real = np.abs(every.imag).max(axis=0, initial=0) < 1e-9
+        zero, real = _vanishing(letters, every, sums)
     if not every.size:
         return Worlds(letters, every, equations)
     # A place where something happens to vanish says less than one where nothing does, or only
@@ -314,6 +312,14 @@ def _with_digits(worlds: Worlds, digits: int) -> tuple[Place | None, ...]:
 _SEEDS = 3
 
 
+def _vanishing(
+    letters: Sequence[Symbol], points: Array, sums: Sequence[Expr]
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Which letters and sums are zero at each of some points, and which of these are real."""
+    zero = np.abs(np.vstack([points, Program(letters, points).values(sums).values])) < 1e-6
+    return zero, np.abs(points.imag).max(axis=0, initial=0) < 1e-9
+
+
 def _in_exponents(equations: Iterable[Expr]) -> frozenset[Symbol]:
     """The letters that stand beside the time in an exponent, as κ in exp(κ t)."""
     exponents = (x.args[0] for e in equations for x in e.atoms(exp) if TIME in symbols(x))
@@ -323,20 +329,20 @@ def _in_exponents(equations: Iterable[Expr]) -> frozenset[Symbol]:
 def _with_amplitudes(
     equations: Sequence[Expr],
     letters: Sequence[Symbol],
-    begins: Array,
+    origins: Array,
     weights: NDArray[np.float64],
     enough: int,
     amplitudes: NDArray[np.bool_],
 ) -> tuple[Array, NDArray[np.bool_]]:
     """The same with complex numbers for amplitudes alone, where all others are real."""
     if not amplitudes.any():
-        return begins, np.zeros(begins.shape[1], bool)
+        return origins, np.zeros(origins.shape[1], bool)
     names = {x for x, is_one in zip(letters, amplitudes, strict=True) if is_one}
     others = [x for x in equations if not symbols(x) & names]
     if others:
-        begins, exact = solved(others, letters, begins, np.where(amplitudes, 0, weights), enough)
-        begins = begins[:, exact]
-    made, exact = solved(equations, letters, begins, np.where(amplitudes, weights, 0), enough)
+        origins, exact = solved(others, letters, origins, np.where(amplitudes, 0, weights), enough)
+        origins = origins[:, exact]
+    made, exact = solved(equations, letters, origins, np.where(amplitudes, weights, 0), enough)
     return made, _stay(made, exact, amplitudes)
 
 

@@ -19,7 +19,7 @@ from rigidtop.judge.equality import ALL_VANISH
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.letters import CLOCK
-from rigidtop.judge.neighbours import around
+from rigidtop.judge.neighbours import around, is_steady
 from rigidtop.judge.outcome import (
     DEFINITION,
     FALSE,
@@ -222,11 +222,14 @@ class _Answer:
             sound = (*sound, *said)
             is_case = at.supposed and outcome.verdict == PREMISE
             momentary = (*momentary, *said) if at.instant or is_case else momentary
+        contexts = tuple(around(each, at.number, x, self.judge.memory) for _, x in judgements)
+        if is_steady(contexts[0]) and not is_steady(self.contexts[0]):
+            outcome = replace(outcome, why=f"{outcome.why}; it is where the motion is steady")
         special = bool(outcome.passed) and not then and place == len(self.contexts) - 1
         lost = self._lost(each) if special else ()
         answer = replace(
             self,
-            contexts=tuple(around(each, at.number, x, self.judge.memory) for _, x in judgements),
+            contexts=contexts,
             names=names,
             believed=believed,
             sound=sound,

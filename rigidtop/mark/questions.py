@@ -21,8 +21,9 @@ Numbers = Iterator[Answer]
 BODY = FreeBody(1.0, 2.0, 3.0)
 """That of the first notebook."""
 TOP = HeavyTop(lambda1=0.02, lambda3=0.01, M=1.0, R=0.1)
-"""The example top, and its weight with its arm (J)."""
-WEIGHT = 0.981
+"""The example top."""
+ACROSS, ALONG, WEIGHT = TOP.lambda1, TOP.lambda3, TOP.M * TOP.g * TOP.R
+"""Its moments (kg m²), and its weight with its arm (J)."""
 TILT = radians(60.0)
 TOY = {"lambda1": 5e-6, "lambda3": 6e-6, "M": 0.030, "R": 0.020}
 """The wooden top of the sixth notebook; moments about its centre of mass."""
@@ -101,8 +102,13 @@ def body_rates() -> Numbers:
 
 def momenta() -> Numbers:
     path = TOP.motion(theta=TILT, phi_dot=2.0, omega3=40.0).exact(np.array([0.1]))
-    yield Answer("L_z", "component along the vertical", 0.04 * sin(TILT) ** 2 + 0.2, "J s")
-    yield Answer("L_3", "component along the axis", 0.4, "J s")
+    yield Answer(
+        "L_z",
+        "component along the vertical",
+        ACROSS * 2.0 * sin(TILT) ** 2 + ALONG * 40.0 * cos(TILT),
+        "J s",
+    )
+    yield Answer("L_3", "component along the axis", ALONG * 40.0, "J s")
     yield Answer("phi_dot", "rate after 0.1 s", float(path.phi_dot[0]), "rad/s")
 
 
@@ -114,8 +120,8 @@ def falling() -> Numbers:
 
 
 def newton() -> Numbers:
-    right = 0.02 * 2.0**2 * cos(TILT) - 0.01 * 40.0 * 2.0 + WEIGHT
-    yield Answer("theta_ddot", "angular acceleration", right * sin(TILT) / 0.02, "rad/s²")
+    right = ACROSS * 2.0**2 * cos(TILT) - ALONG * 40.0 * 2.0 + WEIGHT
+    yield Answer("theta_ddot", "angular acceleration", right * sin(TILT) / ACROSS, "rad/s²")
 
 
 def spring() -> Numbers:
@@ -123,13 +129,13 @@ def spring() -> Numbers:
 
 
 def point() -> Numbers:
-    rate = 9.81 / 0.1 * sin(TILT)
+    rate = TOP.g / TOP.R * sin(TILT)
     yield Answer("theta_ddot", "angular acceleration from rest", rate, "rad/s²")
 
 
 def nodding() -> Numbers:
     highest, lowest = TOP.motion(theta=TILT, omega3=30.0).turning_points
-    formula = 0.02 * WEIGHT * sin(TILT) / (0.01 * 30.0) ** 2
+    formula = ACROSS * WEIGHT * sin(TILT) / (ALONG * 30.0) ** 2
     yield Answer("amplitude", "amplitude of the motion", (lowest - highest) / 2, "rad")
     yield Answer("formula", "amplitude by the formula", formula, "rad")
 
@@ -140,12 +146,14 @@ def pendulum() -> Numbers:
 
 
 def horizontal() -> Numbers:
-    yield Answer("Omega", "rate of precession at 90°", WEIGHT / 0.4, "rad/s")
+    yield Answer("Omega", "rate of precession at 90°", WEIGHT / (ALONG * 40.0), "rad/s")
 
 
 def weightless() -> Numbers:
-    yield Answer("free", "fast rate without weight", 0.4 / (0.02 * cos(TILT)), "rad/s")
-    yield Answer("change", "what the weight changes at 400 rad/s", -WEIGHT / 4, "rad/s")
+    yield Answer("free", "fast rate without weight", ALONG * 40.0 / (ACROSS * cos(TILT)), "rad/s")
+    yield Answer(
+        "change", "what the weight changes at 400 rad/s", -WEIGHT / (ALONG * 400.0), "rad/s"
+    )
 
 
 def sharp() -> Numbers:
