@@ -1,9 +1,7 @@
-"""Trajectories drawn: their columns over the time, one over another, beside measurements, and
-parts that move."""
+"""Trajectories drawn: beside measurements, and as parts that move."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,61 +13,21 @@ from matplotlib.axes import Axes
 from rigidtop.errors import RigidtopError
 from rigidtop.figures import animation
 from rigidtop.figures import style as look
+from rigidtop.figures.curves import COLOURS, label
 from rigidtop.figures.drawing import Film
 from rigidtop.figures.space import View
 from rigidtop.figures.style import STYLE, canvas
-from rigidtop.motion.rows import Rows
 from rigidtop.parameters import in_one_line
-from rigidtop.typeset.latex import letter
-from rigidtop.typeset.nodes import glyph
 
 if TYPE_CHECKING:
     from rigidtop.motion.attitude import Floats
     from rigidtop.motion.least_squares import Fit
-
-COLOURS = (look.FIRST, look.SECOND, look.INK, look.THIRD, look.GREY)
-SIZE = (4.8, 3.0)
-"""Of a figure (inches)."""
 
 RIGID = 1e-6
 """Two parts whose distance changes by less than this share of it are joined by a rod."""
 
 ALONG = 0.35
 """The length of a body's axes, of the whole picture."""
-
-
-def plotted(rows: Rows, names: Sequence[str | tuple[str, str]], axes: Axes | None) -> Axes:
-    """See `rigidtop.motion.rows.Rows.plot`."""
-    with matplotlib.rc_context(STYLE):
-        if axes is None:
-            axes = canvas(*SIZE).add_subplot()
-        pairs = [name if isinstance(name, tuple) else ("t", name) for name in names]
-        for k, pair in enumerate(pairs):
-            if len(pair) != 2:
-                raise RigidtopError(f"two columns make a curve, not {len(pair)}")
-            (_, x), (header, y) = map(rows.column, pair)
-            order = np.argsort(x, kind="stable") if pair[0] == "t" else slice(None)
-            drawn: dict[str, Any] = {"color": COLOURS[k % len(COLOURS)], "label": label(header)}
-            if rows.dots:
-                drawn |= {"linestyle": "none", "marker": ".", "markersize": 2}
-            axes.plot(x[order], y[order], **drawn)
-        across = {rows.column(first)[0] for first, _ in pairs}
-        up = [rows.column(second)[0] for _, second in pairs]
-        axes.set_xlabel(label(across.pop()) if len(across) == 1 else "")
-        if len(up) == 1:
-            axes.set_ylabel(label(up[0]))
-        else:
-            axes.legend()
-    return axes
-
-
-def label(header: str) -> str:
-    """A column's letter and unit: $\\dot{\\theta}$ (rad/s)."""
-    name, _, unit = header.partition("/")
-    spelled = name.replace("_dot", "dot").replace("e3_", "e3")
-    made = name if name in ("energy", "rolling", "dissipated") else f"${letter(glyph(spelled))}$"
-    made = made.replace("_", " ") if made == name else made
-    return f"{made} ({unit.strip('()')})" if unit else made
 
 
 HEIGHT = 3.6

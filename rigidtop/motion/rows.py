@@ -119,9 +119,14 @@ class Rows(ABC):
 
         Raises RigidtopError for a name that is none of the columns.
         """
-        from rigidtop.figures.trajectories import plotted
+        from rigidtop.figures.curves import drawn
 
-        return plotted(self, names or self.plotted, axes)
+        pairs = [name if isinstance(name, tuple) else ("t", name) for name in names or self.plotted]
+        for pair in pairs:
+            if len(pair) != 2:
+                raise RigidtopError(f"two columns make a curve, not {len(pair)}")
+        curves = [(self.column(across), self.column(up)) for across, up in pairs]
+        return drawn(curves, axes, dots=self.dots)
 
     dots: ClassVar[bool] = False
     """Whether rows are drawn as dots, not as a curve."""
