@@ -63,15 +63,20 @@ def along(basis: MatrixBase, after: Context, before: Context) -> Context:
         parts = zip(entries, axes, strict=True)
         return n.Group(n.Sum(tuple(n.Product((n.Group(x), axis)) for x, axis in parts)))
 
+    def column(node: Node) -> Node:
+        # (x, y, z)ᵀ is a column as it is.
+        return node.of if isinstance(node, n.Transposed) and isinstance(node.of, n.Tuple) else node
+
+    def there(node: Node) -> Node:
+        return n.mapped(n.mapped(node, column), resolved)
+
     old = {id(c) for c in before.constraints}
     constraints = tuple(
-        c
-        if id(c) in old
-        else replace(c, left=n.mapped(c.left, resolved), right=n.mapped(c.right, resolved))
+        c if id(c) in old else replace(c, left=there(c.left), right=there(c.right))
         for c in after.constraints
     )
     definitions = {
-        x: d if before.definitions.get(x) is d else replace(d, node=n.mapped(d.node, resolved))
+        x: d if before.definitions.get(x) is d else replace(d, node=there(d.node))
         for x, d in after.definitions.items()
     }
     return replace(after, basis=None, constraints=constraints, definitions=definitions)

@@ -65,7 +65,7 @@ def _degree(node: Node) -> int | None:
     match node:
         case n.Differential(order=1, partial=False):
             return 1
-        case n.Negative(of) | n.Group(of):
+        case n.Negative(of) | n.Group(of) | n.Absolute(of):
             return _degree(of)
         case n.Sum(terms):
             degrees = {_degree(x) for x in terms}

@@ -134,6 +134,20 @@ def _conjugate(read: Sequence[Statement], moving: Collection[Letter]) -> set[Let
     return {x for pair in pairs for x in pair if {*pair} & {*moving}}
 
 
+def _components(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
+    """The components x, y, z of a vector that moves, of which none is written with a rate."""
+    names: set[Letter] = set()
+    for each in read:
+        of_vector = each.sides[0] in moving and isinstance(each.sides[0], Letter)
+        for side in each.sides[1:] if of_vector else ():
+            column = side.of if isinstance(side, n.Transposed) else side
+            entries = column.entries if isinstance(column, n.Tuple) else ()
+            letters = {x for x in entries if isinstance(x, Letter)}
+            if len(letters) == len(entries) and not letters & {*moving}:
+                names |= letters
+    return names
+
+
 def _parameters(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter]:
     """The letters that move what is said to be a function of them: u in s = 4a sin(u/2).
 
@@ -222,6 +236,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     moving |= _passed(read, moving)
     moving |= _conjugate(read, moving)
     moving |= _parameters(read, moving)
+    moving |= _components(read, moving)
     functions: dict[Letter, tuple[Node, ...]] = {}
     for call in calls:
         function = call.function.of if isinstance(call.function, n.Primed) else call.function

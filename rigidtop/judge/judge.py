@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
-from rigidtop.judge import approximations, bounds, equality, places, roots
+from rigidtop.judge import approximations, bounds, equality, places, remainders, roots
 from rigidtop.judge.components import along, each_component
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import SETTING, START, Bound, Constraint, Context, Definition, Limit
@@ -26,6 +26,7 @@ from rigidtop.judge.outcome import (
 )
 from rigidtop.judge.program import UnknownFunctionError
 from rigidtop.judge.question import Judgement, Patience, Premises, Question
+from rigidtop.judge.remainders import has_order
 from rigidtop.judge.sides import (
     CONDITIONS,
     EQUALS,
@@ -34,11 +35,13 @@ from rigidtop.judge.sides import (
     gives_all_a_value,
     has_components,
     letters_in,
+    letters_of,
     moving_in,
     named,
     own_letters,
     says_its_places,
     with_constant_last,
+    with_ratio,
     without_places,
 )
 from rigidtop.judge.situation import Situation
@@ -216,7 +219,10 @@ class Judge:
     def _in_some_axes(
         self, statement: Statement, situation: Situation, context: Context
     ) -> Judgement:
-        """The outcome in the axes in which components are right; in the first ones if in none."""
+        """The outcome in the axes in which components are right, else in the first ones.
+
+        What new letters stand for is none of the axes along which some of them would vanish.
+        """
         judgements = []
         for basis in context.bases:
             outcome, after = self._in_context(statement, situation, replace(context, basis=basis))
@@ -224,9 +230,19 @@ class Judge:
             if outcome.passed:
                 return judgements[-1]
         order = (FALSE, DEFINITION)
-        return min(
-            judgements, key=lambda x: order.index(x[0].verdict) if x[0].verdict in order else 2
-        )
+
+        def rank(judgement: Judgement) -> tuple[int, int]:
+            outcome, after = judgement
+            if outcome.verdict in order:
+                return order.index(outcome.verdict), 0
+            left, right, *_ = statement.sides
+            question = self._question(left, right, situation, after, False)
+            if outcome.verdict != PREMISE:
+                return 2, 0
+            new = letters_in(statement) - context.letters
+            return 2, sum(bool(letters_of(x) & new) for x in question.worlds.zeros)
+
+        return min(judgements, key=rank)
 
     def _with_derived(
         self, letter: Letter | None, context: Context, at: Situation
@@ -277,7 +293,7 @@ class Judge:
     # --- its relations one after the other -------------------------------------------------------
 
     def _in_order(self, statement: Statement, situation: Situation, context: Context) -> Judgement:
-        statement = with_constant_last(statement)
+        statement = with_constant_last(with_ratio(statement, context.habits.moving))
         outcomes = []
         before = context
         head, _ = named(statement.sides[0])
@@ -438,6 +454,10 @@ def _accelerated(question: Question, outcome: Outcome, context: Context) -> Cont
 def _related(question: Question, relation: str) -> Judgement:
     """The outcome of two sides with a relation between them; raises UnclearError."""
     signs = has_sign(question.left) or has_sign(question.right)
+    if has_order(question.left) or has_order(question.right):
+        if relation not in (*EQUALS, *NEARLY):
+            raise UnclearError(f"{relation} is not judged beside O(…)")
+        return remainders.judged(question)
     if relation in EQUALS:
         return roots.judged(question) if signs else equality.judged(question)
     if relation in NEARLY:

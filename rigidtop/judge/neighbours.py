@@ -61,12 +61,28 @@ def around(statement: Statement, number: int, context: Context, memory: Memory) 
     steady = _Steady.of(place, known, memory)
     if steady is None:
         return context
+    known = replace(known, constraints=tuple(_passing(c, centre) for c in known.constraints))
     for gap in steady.gaps(centre, names, habits.moving):
         known = known.holding(Constraint(Meant(gap), ZERO, number, LAW))
     passed = {place: centre} | {n.Rate(q, 1, True): name for q, name in names.items()}
     for letter, value in passed.items():
         known = known.holding(Constraint(letter, value, number, LAW, (), STEADY))
     return known
+
+
+def _passing(constraint: Constraint, centre: Letter) -> Constraint:
+    """What is said of f(θ₀), said of f when the motion passes θ₀: its other letters change too."""
+
+    def then(node: n.Node) -> n.Node:
+        match node:
+            case n.Call(Letter() as function, (place,)) if place == centre:
+                return function
+        return node
+
+    left, right = n.mapped(constraint.left, then), n.mapped(constraint.right, then)
+    if (left, right) == (constraint.left, constraint.right):
+        return constraint
+    return replace(constraint, left=left, right=right, instant=STEADY)
 
 
 def is_steady(context: Context) -> bool:

@@ -36,6 +36,9 @@ LONGEST = 200
 _TYPICAL = 0.5
 """Sides are not taken for smaller than this share of what they are elsewhere."""
 
+MORE = 2.0
+"""What is of an order becomes no more than so many times as large a share of it at a step."""
+
 STAYS = 0.7
 """A share that is no less than this much of the one a step before does not go to zero."""
 
@@ -92,6 +95,34 @@ def differ(
     """Whether both sides have values at the last steps and in no world become alike."""
     sides = left, right, equations, worlds, scaling
     return _stays(lambda step: _gap(*sides, step, strictly=True))
+
+
+def grows(
+    both: tuple[Expr, Expr],
+    size: Expr,
+    equations: Sequence[Expr],
+    worlds: Worlds,
+    scaling: Scaling,
+) -> bool | None:
+    """Whether the gap between two sides becomes ever larger beside a size; None if it isn't seen.
+
+    It does not if in no world it is a larger share of that at the last step than a step before.
+    """
+
+    def share(step: int) -> Gap | None:
+        settled, holds = _settled(tuple(equations), worlds, scaling, step)
+        if settled is None or not holds:
+            return None
+        at = Program(worlds.letters, settled).values([both[0] - both[1], size])
+        return _gap_of(at.values[0], at.sizes[0], np.abs(at.values[1]), equations)
+
+    step, last = _last(share)
+    before = share(step - 1)
+    if last is None or before is None or not np.isfinite([before.share, last.share]).all():
+        return None
+    if (last.share <= MORE * before.share).all():
+        return False
+    return True if (last.share > before.share / scaling.factor / MORE).all() else None
 
 
 def ratio(

@@ -226,11 +226,14 @@ def goes_with_others(question: Question, value: Expr) -> bool:
         rates = [rate(x, moving) for x in gaps]
         gaps = plain([*gaps, *rates, *(rate(x, moving) for x in rates)])
         every = worlds.symbols_of(gaps)
-        free = [x for x in every if any(j.letter in letters for j in jets(x).values())]
+        free = [
+            x for x in every if any(j.letter in letters and not j.instant for j in jets(x).values())
+        ]
         given = worlds.symbols_of([*gaps, *rest])
         places = worlds.found(plain(rest), [x for x in given if x not in free])
+        beside_time = [x for x in free if motion.has(x)]  # with zeros there nothing would move
         return places.count > 0 and all(
-            _is_solvable(gaps, free, dict(zip(places.letters, column, strict=True)))
+            _is_solvable(gaps, free, beside_time, dict(zip(places.letters, column, strict=True)))
             for column in places.points.real.T[:_TRIALS].tolist()
         )
 
@@ -246,14 +249,17 @@ def _constant(equations: Sequence[Constraint]) -> Iterator[Letter]:
 
 
 def _is_solvable(
-    gaps: Sequence[Expr], free: Sequence[Symbol], numbers: Mapping[Symbol, float]
+    gaps: Sequence[Expr],
+    free: Sequence[Symbol],
+    not_zero: Sequence[Symbol],
+    numbers: Mapping[Symbol, float],
 ) -> bool:
     """Whether equations have a solution in some letters, the others having numbers."""
     here = [x for x in (_without_rounding(gap.xreplace(numbers)) for gap in gaps) if x != 0]
     at_zero = Program(free, np.zeros((len(free), 1), complex)).values(here).values
     if (np.abs(at_zero) < _NOTHING).all():
         return False  # all others may be zero, which says nothing
-    found = worlds.found(here, free, enough=1)
+    found = worlds.found(here, free, not_zero=not_zero, enough=1)
     return bool(found.count) and bool((np.abs(found.points.imag) < _NOTHING).all())
 
 

@@ -129,6 +129,14 @@ def with_constant_last(statement: Statement) -> Statement:
     return replace(statement, sides=(*sides, constant), relations=("=",) * len(sides))
 
 
+def with_ratio(statement: Statement, moving: Collection[Letter]) -> Statement:
+    """What A ∝ B says if they move: that A/B is constant."""
+    if statement.relations != ("∝",) or not letters_in(statement) & {*moving, CLOCK}:
+        return statement
+    left, right = map(n.Group, statement.sides)
+    return replace(statement, sides=(n.Quotient(left, right), n.Constant()), relations=("=",))
+
+
 # --- Signs ---------------------------------------------------------------------------------------
 
 

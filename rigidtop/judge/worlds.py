@@ -279,17 +279,26 @@ def _found(
         forced = zero[:, real].all(axis=1, keepdims=True)
         if (real & (zero <= forced).all(axis=0)).sum() >= enough:
             break
+    if not every.size:
+        return Worlds(letters, every, equations)
+    nothing = [x for x, at in zip(letters, zero, strict=False) if at.all()]
+    bare = [_with_other_factors(x, nothing) for x in equations] if nothing else [*equations]
+    if bare != [*equations]:
+        # Of ε (ω² − k) = 0 it is the other factor that is meant to vanish.
+        origins = starts(letters, 0, backwards)[:, : 3 * enough]
+        points, exact = solved(bare, letters, origins, weights, enough)
+        exact = _stay(points, exact & _is_not_zero(not_zero, letters, points), parameters)
+        every = np.hstack([every, points[:, exact & (np.abs(points) < 1e4).all(axis=0)]])
+        zero, real = _vanishing(letters, every, sums)
     tried = _in_exponents(equations)
     free = np.array([x in tried or _is_of(x, may_vanish) for x in letters])
-    if tried and not phased and every.size and (np.abs(every[free]) < SMALLEST).any(axis=0).all():
+    if tried and not phased and (np.abs(every[free]) < SMALLEST).any(axis=0).all():
         # With real numbers exp(κ t) solves nothing but where κ, or what it multiplies, is zero.
         turned = starts(letters, 0) * np.exp(1j * np.arange(len(letters)))[:, None]
         points, exact = solved(equations, letters, turned, weights, enough)
         exact = _stay(points, exact, parameters | free)
         every = np.hstack([every, points[:, exact & (np.abs(points) < 1e4).all(axis=0)]])
         zero, real = _vanishing(letters, every, sums)
-    if not every.size:
-        return Worlds(letters, every, equations)
     # A place where something happens to vanish says less than one where nothing does, or only
     # the rate of it.
     vanishing = np.array([4 - min(order(x), 3) for x in letters] + [4] * len(sums)) @ zero
@@ -350,6 +359,12 @@ def _without_factors(equation: Expr, parameters: Collection[Symbol]) -> Expr:
     """What vanishes in an equation whose parameters do not: neither a factor nor a denominator."""
     factors = Mul.make_args(factor_terms(fraction(together(equation))[0]))
     return Mul(*(x for x in factors if x.as_base_exp()[0] not in parameters))
+
+
+def _with_other_factors(equation: Expr, zeros: Collection[Symbol]) -> Expr:
+    """What else makes an equation hold than that some letters vanish; itself if nothing does."""
+    other = _without_factors(equation, zeros)
+    return other if symbols(other) else equation
 
 
 def _stay(
