@@ -16,7 +16,6 @@ from dataclasses import dataclass, replace
 from rigidtop.errors import RigidtopError
 from rigidtop.judge.context import START, Context
 from rigidtop.judge.equality import ALL_VANISH
-from rigidtop.judge.habits import habits_of
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.neighbours import around, is_steady
@@ -40,10 +39,12 @@ from rigidtop.mark.assertions import asserted
 from rigidtop.mark.contexts import (
     believing,
     free_letters,
+    habits_in,
     in_angles,
     in_names_of,
     with_habits,
     without_facts,
+    without_trials,
 )
 from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.task import Branch, Task, Together
@@ -157,7 +158,7 @@ class _Answer:
 
     @classmethod
     def begun(cls, source: str, read: Read, task: Task) -> _Answer:
-        own = habits_of([each for _, each in read if isinstance(each, Statement)])
+        own = habits_in(read, task)
         contexts = tuple(with_habits(context, own) for context in task.contexts)
         in_body = bool(variants.BODY.search(source))
         names = with_habits(task.names, own)
@@ -180,6 +181,7 @@ class _Answer:
         place = _best([outcome for outcome, _ in judgements], self.contexts)
         outcome = judgements[place][0]
         [(named, names)] = judged([self.names])
+        names = names if outcome.verdict != FALSE else self.names
         if named.passed and not outcome.passed and _is_of_numbers(each):
             outcome, place = named, 0
         nearly = bool({*each.relations} & {*NEARLY})
@@ -250,6 +252,12 @@ class _Answer:
     ) -> tuple[Statement, list[tuple[Outcome, Context]]]:
         """A line as it is written, or as it may be meant where it fails so; with its outcomes."""
         quick = Judge(self.judge.memory, patience=Patience(0))
+        real = tuple(map(without_trials, self.contexts))
+        if real != self.contexts and any(CLOCK in n.letters(side) for side in each.sides[1:]):
+            # Of what was tried with complex numbers this may be the real part.
+            again = _judged(quick, each, at, real, limits)
+            if any(outcome.passed for outcome, _ in again):
+                return each, again
         judgements = _judged(quick, each, at, self.contexts, limits)
         along, known = variants.aligned(each, self.contexts)
         fails = not any(outcome.passed for outcome, _ in judgements)
@@ -347,7 +355,7 @@ class _Answer:
             yield with_vector, UNDECIDED
         if (turning := variants.in_its_frame(each)) is not None:
             yield turning, UNDECIDED
-        in_body = variants.in_body(each) if self.in_body else None
+        in_body = variants.in_body(each) if self.in_body or variants.is_turned(each) else None
         if in_body is not None:
             yield in_body, FALSE
         if (vectors := variants.of_vectors(each, self.contexts)) is not None:

@@ -129,6 +129,7 @@ def comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> b
     # What the vector is says what its components are.
     wholes = {vector_of(x) for x in _letters(goal.sides[0]) if x.sub} & context.definitions.keys()
     allowed |= wholes | (_axes(context) if wholes or has_components(goal) else frozenset())
+    allowed |= _synonyms(allowed, context)
     # Constants of the answer's own may tie what the goal speaks of, as in ω₂ = u exp(σ t).
     written = frozenset().union(*map(_letters, sound))
     tying = written - context.given - context.declared - context.definitions.keys() - allowed
@@ -136,7 +137,9 @@ def comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> b
     said = [each for each in sound if _is_said_in(each, allowed, goal, context)]
     if not said:
         return False
-    named = (_letters(goal) | names) & context.definitions.keys() - own.keys()
+    # Who speaks of the length of a vector speaks of that.
+    lengths = {replace(x, bold=True) for x in _letters(goal) & context.habits.lengths}
+    named = (_letters(goal) | names | lengths) & context.definitions.keys() - own.keys()
     written = frozenset().union(*map(_letters, said))
     # Who says what the components are has said what the vector is.
     spoken = (written | {vector_of(x) for x in written if x.sub}) & named
@@ -175,6 +178,18 @@ def _selections(
     spoken = n.letters(goal.sides[0])
     alone = [[x] for x in said if spoken <= _letters(x)] if len(said) > 1 else []
     yield from reversed(alone)
+
+
+def _synonyms(letters: frozenset[Letter], context: Context) -> frozenset[Letter]:
+    """Letters of the facts that are what some letters are: L₃ where p_ψ is one of these."""
+    meaning = Meaning(context, Memory())
+    values: dict[Letter, Expr] = {}
+    for letter in context.definitions.keys() & context.given:
+        with suppress(UnclearError):
+            if not isinstance(value := meaning.value(letter), MatrixBase):
+                values[letter] = value.expand()
+    same = {values[x] for x in letters & values.keys()}
+    return frozenset(x for x, value in values.items() if value in same)
 
 
 def _axes(context: Context) -> frozenset[Letter]:

@@ -10,8 +10,8 @@ import re
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 
-from rigidtop.judge.context import Context
-from rigidtop.judge.letters import INFINITY
+from rigidtop.judge.context import START, Context
+from rigidtop.judge.letters import CLOCK, INFINITY
 from rigidtop.judge.moments import at_one_time, instant_at, instants, is_time
 from rigidtop.judge.reading import Read
 from rigidtop.judge.sides import ZERO
@@ -26,6 +26,7 @@ from rigidtop.read.phrases import Cue
 from rigidtop.read.walk import STRUCK
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter
+from rigidtop.tree.several import each_index
 from rigidtop.tree.statement import Statement, Unread
 
 
@@ -52,7 +53,7 @@ def asserted(
         passage, each = read[number]
         position = passage.start + each.position
         if isinstance(each, Unread):
-            if not _END.fullmatch(passage.text):
+            if not (_NOTHING.fullmatch(passage.text) or _is_of_signs(passage.text)):
                 yield position, each, passage.text
             continue
         if not each.relations or any(
@@ -64,7 +65,8 @@ def asserted(
         if _is_transformation(each) or _is_notation(each):
             continue
         at = situation(passage, number, moments[number], False, declared)
-        tried = passage if _TRIED.match(passage.before) else tried
+        if _TRIED.match(passage.before) or _is_measured(passage, each, facts):
+            tried = passage
         if tried is not None and _goes_on(source, tried, passage):
             same = passage.sentence == tried.sentence and not at.derived
             at = replace(at, sentence=tried.sentence, tried=same and _is_value(passage, each))
@@ -73,10 +75,40 @@ def asserted(
         if large[number]:
             at = replace(at, cues=at.cues - {Cue.SMALL, Cue.APPROXIMATED} | {Cue.LARGE})
         statement, time = at_one_time(names.in_facts(each), moving)
-        at = replace(at, instant=at.instant if time is None else instant_at(time))
-        at = replace(at, closed=True, named=_names_case(passage, each))
-        for one in _for_each_axis(statement, facts):
+        if len({*statement.sides}) < len({*each.sides}) == 2:
+            continue  # that ϕ is φ
+        if time is not None:
+            at = replace(at, instant=instant_at(time))
+        elif at.instant == START and any(CLOCK in n.letters(side) for side in each.sides):
+            at = replace(at, instant="")  # what is written in the time holds at all times
+        excluded = {*each.relations} == {"="} and _EXCLUDED.search(passage.before) is not None
+        at = replace(at, closed=True, named=not excluded and _names_case(passage, each))
+        if excluded:
+            statement = replace(statement, relations=("≠",) * len(each.relations))
+        for one in _each_meant(statement, facts):
             yield position, one, at
+
+
+def _each_meant(each: Statement, facts: Collection[Letter]) -> Iterator[Statement]:
+    """What it says of several letters of the facts at once, of each: ω_{2,3} = 0, I_k = λ_k."""
+    several = [*each_index(each)]
+    if len(several) > 1 and not all(letters(x) & {*facts} - letters(each) for x in several):
+        several = [each]
+    for one in several:
+        yield from _for_each_axis(_tried(one, facts), facts)
+
+
+def _tried(each: Statement, facts: Collection[Letter]) -> Statement:
+    """The motion that x ∝ exp(κ t) tries, or x = Re A exp(κ t): of linear laws it obeys those."""
+    match each.sides:
+        case (Letter() as name, motion) if each.relations == ("∝",) and CLOCK in n.letters(motion):
+            amplitude = Letter("c", name.base + name.sub)
+            sides = (name, n.Product((amplitude, n.Group(motion))))
+            return replace(each, sides=sides, relations=("=",))
+        case (Letter() as name, n.Apply("Re", motion)) if CLOCK in n.letters(motion):
+            if not n.letters(motion) & {*facts} - ALWAYS:
+                return replace(each, sides=(name, motion))
+    return each
 
 
 def _for_each_axis(each: Statement, facts: Collection[Letter]) -> list[Statement]:
@@ -99,8 +131,21 @@ def _for_each_axis(each: Statement, facts: Collection[Letter]) -> list[Statement
     return [along(axis) for axis in "123"]
 
 
-_END = re.compile(r"[\s.]*\\(?:square|blacksquare|Box|qed|checkmark)[\s.]*")
-"""A sign behind what is shown, and no formula."""
+_NOTHING = re.compile(r"[\s.]*\\(?:square|blacksquare|Box|qed|checkmark)[\s.]*|\s*[\^_]\W*\w+\W*")
+"""No formula: a sign behind what is shown, or what is raised beside a word, as in kg m$^2$."""
+
+
+def _is_of_signs(text: str) -> bool:
+    """Whether it says rightly which sign a product of signs has: (−)(+) < 0."""
+    found = _SIGNS.fullmatch(text)
+    if found is None:
+        return False
+    negative = len(re.findall("[-−]", found[1])) % 2 == 1
+    return negative == (found[2] == "<" or found[3] in ("-", "−"))
+
+
+_SIGNS = re.compile(r"((?:\s*\(\s*[-−+]\s*\)\s*)+)(?:([<>])\s*0|=\s*\(?\s*([-−+])\s*\)?)\s*")
+"""A product of signs in brackets, and its sign."""
 
 
 def _moving(context: Context) -> frozenset[Letter]:
@@ -155,11 +200,29 @@ _CASE = re.compile(
 """Words directly before a formula that names a case."""
 
 
+_EXCLUDED = re.compile(
+    r"\b(?:not (?:valid |defined )?(?:for|at|if|when|where|in the case)"
+    r"|except(?: for| at| if| when)?|excluding|unless|nicht (?:für|bei|wenn)|außer(?: für| bei)?"
+    r"|sauf(?: si| pour)?)\W*\Z",
+    re.I,
+)
+"""Words directly before a formula that names a case which is left out."""
+
+
 def _names_case(passage: Passage, each: Statement) -> bool:
-    """Whether it vanishes where a case is named: "fine for cos θ = 0", or first in an item."""
-    vanishes = {*each.relations} == {"="} and each.sides[-1] == ZERO and not passage.display
+    """Whether it names a case: "fine for cos θ = 0", "• cos θ = 0", or "• a = b: then"."""
+    if {*each.relations} != {"="} or passage.display:
+        return False
     item = bool(passage.scope) and passage.scope[-1] < 0 and not passage.before.strip("-*•: ")
-    return vanishes and (item or _CASE.search(passage.before) is not None)
+    if item and passage.behind.lstrip().startswith(":"):
+        return True
+    return each.sides[-1] == ZERO and (item or _CASE.search(passage.before) is not None)
+
+
+def _is_measured(passage: Passage, each: Statement, facts: Collection[Letter]) -> bool:
+    """Whether a letter of the facts is given a number with a unit, but an angle: an example."""
+    unit = any(isinstance(x, n.Unit) and x.name != "°" for x in n.walked(each.sides[-1]))
+    return unit and each.sides[0] in facts and _is_value(passage, each)
 
 
 def _is_value(passage: Passage, each: Statement) -> bool:
@@ -249,8 +312,11 @@ def _explained_first(read: Read, facts: Collection[Letter]) -> list[int]:
             # What comes of one equation for one letter may be its solution; U(θ) is a name.
             assert isinstance(each, Statement)
             alone = isinstance(each.sides[0], Letter) and len(_letters(use) - {*facts}) < 2
-            alone &= not (isinstance(use, Statement) and isinstance(use.sides[0], n.Rate))
+            alone &= not (isinstance(use, Statement) and _only_names(use, name))
             together = passage.start == before.start and not alone
+            if passage.sentence > before.sentence and _is_motion(use):
+                order.insert(place, number)  # what a motion that is tried takes comes out of it
+                continue
             is_here = _HERE.search(passage.before[-9:]) is not None
             if together or is_here or Cue.DEFINED in passage.cues or said == passage.sentence:
                 place, said = first, passage.sentence
@@ -258,6 +324,25 @@ def _explained_first(read: Read, facts: Collection[Letter]) -> list[int]:
             said = -1
         order.insert(place, number)
     return order
+
+
+def _is_motion(use: Statement | Unread) -> bool:
+    """Whether something is given in time."""
+    if isinstance(use, Unread) or not any(CLOCK in n.letters(x) for x in use.sides[1:]):
+        return False
+    return not any(isinstance(x, n.Rate) for x in n.walked(use.sides[0]))
+
+
+def _only_names(use: Statement, name: Letter | None) -> bool:
+    """Whether it is nothing to be solved for a letter: a rate, or 0 = Q sin θ, where Q is short."""
+    factors: set[n.Node] = set()
+    for side in use.sides:
+        match side:
+            case n.Product(many):
+                factors |= {*many}
+            case n.Dot(left, right):
+                factors |= {left, right}
+    return isinstance(use.sides[0], n.Rate) or (ZERO in use.sides and name in factors)
 
 
 def _explained(each: Statement | Unread, facts: Collection[Letter]) -> Letter | None:

@@ -7,7 +7,9 @@ from dataclasses import replace
 from itertools import pairwise
 
 from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Definition, Habits
+from rigidtop.judge.habits import habits_of
 from rigidtop.judge.laws import LAGRANGIANS
+from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.names import vector_of
 from rigidtop.judge.reading import Read
 from rigidtop.judge.vocabulary import Meant
@@ -30,14 +32,16 @@ def free_letters(each: Statement, context: Context) -> list[Letter]:
     def is_known(x: Letter) -> bool:
         return {x, vector_of(x), replace(x, sub=x.sub.strip("±∓"))} & known != set()
 
-    # What stands alone with what is known in a line above is fixed by that.
+    # What stands alone with what is known in a line above is fixed by that, in a line of vectors
+    # three numbers are.
     own = [c.letters for c in context.constraints if c.number >= 0]
     fixed: set[Letter] = set()
     while new := {
         x
         for spoken in own
-        for x in spoken - fixed
-        if all(y == x or y in fixed or is_known(y) for y in spoken) and not is_known(x)
+        for unknown in [{y for y in spoken - fixed if not is_known(y)}]
+        if len(unknown) <= (3 if any(y.bold for y in spoken - unknown) else 1)
+        for x in unknown
     }:
         fixed |= new
     return sorted((x for x in letters(each) - fixed if not is_known(x)), key=plain)
@@ -47,6 +51,27 @@ def without_facts(context: Context) -> Context:
     """A context with what the answer itself has set, and with no law."""
     own = tuple(c for c in context.constraints if c.number >= 0)
     return replace(context, constraints=own, lawless=True)
+
+
+def without_trials(context: Context) -> Context:
+    """A context without the motions that the answer has tried, x = A exp(κ t), nor what A and κ
+    are.
+    """
+    own = [c for c in context.constraints if c.number >= 0]
+    tried = [c for c in own if c.left in context.habits.moving and _is_exponential(c.right)]
+    if not tried:
+        return context
+    known = context.given | {CLOCK}
+    free = frozenset().union(*(c.letters for c in tried)) - known - ALWAYS
+    kept = tuple(c for c in context.constraints if c not in own or not c.letters & free)
+    definitions = {x: d for x, d in context.definitions.items() if x not in free}
+    results = context.results & context.given - {c.left for c in tried}  # these may be zero
+    return replace(context, constraints=kept, definitions=definitions, results=results)
+
+
+def _is_exponential(motion: Node) -> bool:
+    powers = (x for x in n.walked(motion) if isinstance(x, n.Power))
+    return any(CLOCK in n.letters(x.exponent) for x in powers)
 
 
 def believing(context: Context, each: Statement) -> Context:
@@ -94,6 +119,21 @@ def without_names(context: Context, named: Collection[Node]) -> Context:
     kept = {x: each for x, each in context.definitions.items() if x not in dropped}
     known = replace(context, definitions=kept, letters=context.letters - dropped)
     return replace(known, given=context.given - dropped)
+
+
+def habits_in(read: Read, task: Task) -> Habits:
+    """How an answer uses its letters; without dots a prime on what moves in the facts is a rate."""
+    stated = [each for _, each in read if isinstance(each, Statement)]
+    own = habits_of(stated)
+    nodes = [node for each in stated for side in each.sides for node in n.walked(side)]
+    primed = {x.of for x in nodes if isinstance(x, n.Primed)}
+    dotted = any(isinstance(x, n.Rate) and x.dotted for x in nodes)
+    known = frozenset().union(*(context.letters for context in task.contexts))
+    moving = frozenset().union(*(context.habits.moving for context in task.contexts))
+    axes = any(isinstance(x, Letter) and replace(x, mark="′") in known for x in primed)
+    if dotted or axes or not primed or not primed <= moving:
+        return own
+    return replace(own, primes_are_rates=True)
 
 
 def with_habits(context: Context, own: Habits) -> Context:

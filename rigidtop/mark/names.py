@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
 from rigidtop.judge.context import Context
@@ -33,19 +33,35 @@ _LENGTH, _LAGRANGIAN = Letter("L"), Letter("ℒ")
 
 @dataclass(frozen=True)
 class Names:
-    """The letters of the facts, those that an answer defines itself, and whether L is ℒ there."""
+    """The letters of the facts, those that an answer defines itself, and whether L is ℒ there.
+
+    `called` are the letters that an answer has for some that move, as in ϕ = φ.
+    """
 
     facts: frozenset[Letter]
     defined: frozenset[Node]
     has_lagrangian: bool
+    called: Mapping[str, str]
 
     @classmethod
-    def of(cls, read: Read, contexts: Iterable[Context]) -> Names:
+    def of(cls, read: Read, contexts: Collection[Context]) -> Names:
         """The names of an answer that has been read, beside the facts of some contexts."""
         stated = [each for _, each in read if isinstance(each, Statement)]
         facts = frozenset().union(*(context.letters for context in contexts))
         defined = frozenset(head(each.sides[0]) for each in stated)
-        return cls(facts, defined, _LAGRANGIAN in facts and any(map(_has_lagrangian, stated)))
+        moving = frozenset().union(*(context.habits.moving for context in contexts))
+        nodes = [node for each in stated for side in each.sides for node in n.walked(side)]
+        rates = {x.of for x in nodes if isinstance(x, n.Rate)}
+        called: dict[str, str] = {}
+        for each in stated:
+            for pair in (each.sides, each.sides[::-1]):
+                match pair:
+                    case (Letter(own, "", ""), Letter(base, "", "") as letter) if (
+                        Letter(own) in rates - facts and letter in moving - rates
+                    ):
+                        called[own] = base
+        has_lagrangian = _LAGRANGIAN in facts and any(map(_has_lagrangian, stated))
+        return cls(facts, defined, has_lagrangian, called)
 
     def in_facts(self, each: Statement) -> Statement:
         """A statement in the letters of the facts."""
@@ -78,6 +94,8 @@ class Names:
         return node
 
     def _letter(self, letter: Letter) -> Node:
+        base, sub = (self.called.get(x, x) for x in (letter.base, letter.sub))
+        letter = replace(letter, base=base if not letter.sub else letter.base, sub=sub)
         if letter == _LENGTH and self.has_lagrangian:
             return _LAGRANGIAN
         if letter in self.facts:

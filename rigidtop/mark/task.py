@@ -7,6 +7,7 @@ file with laws of one's own, such as a Lagrangian, can stand for a lecture.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
@@ -359,24 +360,32 @@ def _way(start: str, results: Sequence[str], pages: Lecture) -> tuple[Step, ...]
 
 
 def _family(
-    goals: Sequence[Together], given: Together, names: Sequence[Statement], subject: Subject
+    goals: Sequence[Together], begun: Together, names: Sequence[Statement], subject: Subject
 ) -> tuple[tuple[Model, ...], tuple[Context, ...]]:
     """The models, and what they say, up to the most general one for both ends.
 
     The best is one in which a goal holds and the start too; what knows the start alone will do.
     """
-    declared = frozenset().union(*(context(x).given for each in subject.families for x in each))
+    known = [context(model) for family in subject.families for model in family]
+    named = frozenset().union(*(each.definitions.keys() for each in known))
+    # What one model alone calls its start, ω₀, may be called so where others are spoken of.
+    usual = Counter(x for each in known for x in each.given)
+    declared = named | {x for x, count in usual.items() if count > 1}
     spoken = frozenset().union(*(letters(x) for together in goals for x in together)) - ALWAYS
     found: list[tuple[tuple[bool, int, int, int], tuple[Model, ...], tuple[Context, ...]]] = []
     for family in subject.families:
         contexts = tuple(knowing(context(model, declared), names) for model in family)
         for k, each in enumerate(contexts):
-            begins = _holds(given, each)
+            begins = _holds(begun, each)
             ends = sum(_holds(together, each) for together in goals)
             if begins or ends:
                 rank = (not (begins and ends), -ends, len(spoken - each.given), k)
                 found.append((rank, family[: k + 1], contexts[: k + 1]))
-    return min(found, key=lambda x: x[0])[1:] if found else ((), ())
+    if not found:
+        return (), ()
+    _, used, contexts = min(found, key=lambda x: x[0])
+    given = frozenset().union(*(each.given for each in contexts))
+    return used, tuple(replace(each, declared=each.declared | given) for each in contexts)
 
 
 def _names(start: str, goal: str, pages: Lecture) -> list[Statement]:

@@ -36,6 +36,17 @@ def in_body(each: Statement) -> Statement | None:
     return replace(each, sides=sides) if sides != each.sides else None
 
 
+def is_turned(each: Statement) -> bool:
+    """Whether **ω** × **A** stands beside a rate of **A**, as it does where that is of the body."""
+    nodes = [node for side in each.sides for node in n.walked(side)]
+    rates = {x.of for x in nodes if isinstance(x, n.Rate)}
+    crossed = [(x.left, x.right) for x in nodes if isinstance(x, n.Cross)]
+    return any(_OMEGA in pair and {*pair} & rates for pair in crossed)
+
+
+_OMEGA = Letter("ω", bold=True)
+
+
 def in_its_frame(each: Statement) -> Statement | None:
     """The statement where a frame with a name of the answer's own turns with what stands beside it.
 
