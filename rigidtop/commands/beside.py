@@ -1,4 +1,7 @@
-"""Lines judged by two processes: while one makes their moves, the other asks worlds."""
+"""Lines judged by two processes: while one makes their moves, the other asks worlds.
+
+Each goes on with something else that is asked, so that neither waits for long.
+"""
 
 from __future__ import annotations
 
@@ -8,10 +11,10 @@ import pickle
 import sys
 import threading
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from rigidtop.commands.sweep import follow
 from rigidtop.terminal.progress import over
@@ -21,9 +24,17 @@ if TYPE_CHECKING:
     from rigidtop.proof.derivation import Judged
     from rigidtop.proof.lecture import Lecture
 
+Moved = TypeVar("Moved")
+Apart = TypeVar("Apart")
 
-def judged_beside(lecture: Lecture) -> Lecture:
+
+def judged_beside(
+    lecture: Lecture, moved: Callable[[Lecture], Moved], apart: Callable[[Lecture], Apart]
+) -> tuple[Lecture, Moved, Apart]:
     """The lecture with all its lines judged; as it came where that takes one process.
+
+    Besides, what two functions make of it: `moved` after the moves, which it may ask for, and
+    `apart` in the other process, from which it has to be sent.
 
     Of what worlds say the moves need to know only that no line is false in them.  Where one is, the
     lines have to be judged one after the other, so that what rests on it is judged without it.
@@ -31,11 +42,14 @@ def judged_beside(lecture: Lecture) -> Lecture:
     from rigidtop.judge.outcome import FALSE
     from rigidtop.judge.page import remember
 
+    def alone() -> tuple[Lecture, Moved, Apart]:
+        return lecture, moved(lecture), apart(lecture)
+
     if lecture.refuted is None or not can_fork():
-        return lecture
+        return alone()
     unsent: list[str] = []
     try:
-        with _asking(lecture) as (asked, told):
+        with _asking(lecture, apart) as (asked, told):
 
             def ask(lecture: Lecture, judged: Judged) -> str:
                 try:
@@ -48,13 +62,15 @@ def judged_beside(lecture: Lecture) -> Lecture:
             for id in over("following lines", [*made.lines]):
                 made.judged(id)
             asked.put(None)
-            outcomes: dict[str, Outcome] = told.recv()
+            here = moved(made)
+            outcomes: dict[str, Outcome]
+            outcomes, there = told.recv()
     except (EOFError, OSError, ImportError):  # the other process has ended, or can't be
-        return lecture
+        return alone()
     if unsent or any(each.verdict == FALSE for each in outcomes.values()):
-        return lecture
+        return alone()
     remember(made, outcomes)
-    return made
+    return made, here, there
 
 
 def can_fork() -> bool:
@@ -64,12 +80,12 @@ def can_fork() -> bool:
 
 
 @contextmanager
-def _asking(lecture: Lecture) -> Iterator[tuple[Any, Any]]:
+def _asking(lecture: Lecture, apart: Callable[[Lecture], object]) -> Iterator[tuple[Any, Any]]:
     """Where to put what is known of a line, pickled, None at last; and where outcomes come from."""
     context = multiprocessing.get_context("fork")
     asked = context.Queue()
     told, tell = context.Pipe(duplex=False)
-    other = context.Process(target=_answer, args=(lecture, asked, told, tell), daemon=True)
+    other = context.Process(target=_answer, args=(lecture, apart, asked, told, tell), daemon=True)
     with warnings.catch_warnings():
         # Python warns of threads; those of the linear algebra are made anew in the copy.
         warnings.simplefilter("ignore", DeprecationWarning)
@@ -85,8 +101,10 @@ def _asking(lecture: Lecture) -> Iterator[tuple[Any, Any]]:
         asked.close()
 
 
-def _answer(lecture: Lecture, asked: Any, told: Any, tell: Any) -> None:
-    """In the other process: the outcome of each line by its id, all of them at the end."""
+def _answer(
+    lecture: Lecture, apart: Callable[[Lecture], object], asked: Any, told: Any, tell: Any
+) -> None:
+    """In the other process: the outcome of each line by its id, and what is made `apart`."""
     from rigidtop.judge.page import outcome
     from rigidtop.proof.derivation import Judged
     from rigidtop.proof.equation import as_printed
@@ -99,4 +117,4 @@ def _answer(lecture: Lecture, asked: Any, told: Any, tell: Any) -> None:
             with as_printed():  # SymPy makes each tree anew, and is to keep it as it is
                 read = pickle.loads(known)
             outcomes[read.id] = outcome(lecture, Judged(lecture.lines[read.id], read))
-        tell.send(outcomes)
+        tell.send((outcomes, apart(lecture)))

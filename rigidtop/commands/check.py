@@ -96,9 +96,14 @@ def run(options: argparse.Namespace) -> int:
         if options.lines:
             if names:
                 raise RigidtopError("--lines is about whole pages: leave the names out")
-            lecture = judged_beside(collection.as_written(collection.exercises))
+            written = collection.as_written(collection.exercises)
+            lecture, _, _ = judged_beside(written, _nothing, _nothing)
             return _lines(lecture, lecture.texts, notation, options)
         return _run(collection, names, notation, options)
+
+
+def _nothing(_: Lecture) -> None:
+    """What is asked besides the lines where nothing is."""
 
 
 def _lines(
@@ -145,9 +150,20 @@ def _run(
     # A claim that only its lines show is judged by them.
     quick = options.quick and all(claim.evidence is not by_lines for _, claim in found)
     lecture = None if quick else collection.as_written(solved)
+
+    def judging(lecture: Lecture | None) -> tuple[list[Judgement], dict[Expr, str]]:
+        return judged(found, collection, lecture, not names)
+
+    def modelled(lecture: Lecture | None) -> list[str]:
+        if lecture is None or not (collection.models or collection.folder is None):
+            return []
+        named = [claim.name for _, claim in found] if names or not every else []
+        return in_models(lecture, collection.models, named)
+
     if lecture is not None and not names and not options.thorough:
-        lecture = judged_beside(lecture)
-    judgements, vanishing = judged(found, collection, lecture, not names)
+        lecture, (judgements, vanishing), model = judged_beside(lecture, judging, modelled)
+    else:
+        (judgements, vanishing), model = judging(lecture), modelled(lecture)
     denied, confirmation = confirmed(vanishing) if options.thorough else ([], [])
     trials = tried(lecture, names) if lecture is not None and options.thorough else {}
     amiss = [line for place, trial in trials.items() for line in _amiss(place, trial)] + denied
@@ -156,15 +172,8 @@ def _run(
     if lecture is not None:
         ids = lecture.leading(claim.name for _, claim in found) if names else None
         amiss = [*claims.faults(lecture), *claims.gaps(lecture, ids), *amiss]
-    model: list[str] = []
-    if lecture is not None and (collection.models or collection.folder is None):
-        model = in_models(
-            lecture,
-            collection.models,
-            [claim.name for _, claim in found] if names or not every else [],
-        )
-        amiss += model[:-1]
-        more += len(model[:-1])
+    amiss += model[:-1]
+    more += len(model[:-1])
     passed = all(judgement.passed for judgement in judgements) and not amiss
     records = [record(Wording(notation).judgement(judgement)) for judgement in judgements]
     if options.json:

@@ -75,6 +75,15 @@ def lecture(tmp_path, monkeypatch):
     return of
 
 
+def nothing(_):
+    return None
+
+
+def judged(alone):
+    made, _, _ = beside.judged_beside(alone, nothing, nothing)
+    return made
+
+
 def said(lecture):
     judged = [lecture.judged(id) for id in lecture.lines]
     return [(str(x.problem), x.known.conditions, outcome(lecture, x)) for x in judged]
@@ -82,14 +91,14 @@ def said(lecture):
 
 def test_both_say_the_same(lecture):
     alone = lecture(r"\frac12")
-    made = beside.judged_beside(alone)
+    made = judged(alone)
     assert made is not alone
     assert said(made) == said(alone)
     assert {x.verdict for *_, x in said(made)} >= {"premise", "sampled"}
 
 
 def test_outcomes_come_from_the_other_process(lecture, monkeypatch):
-    made = beside.judged_beside(lecture(r"\frac12"))
+    made = judged(lecture(r"\frac12"))
     monkeypatch.setattr("rigidtop.judge.page._in_time", lambda *_: pytest.fail("judged here"))
     follow = [x for x in map(made.judged, made.lines) if x.follows]
     assert len({outcome(made, x).verdict for x in follow}) > 1
@@ -97,14 +106,14 @@ def test_outcomes_come_from_the_other_process(lecture, monkeypatch):
 
 def test_a_false_line_is_judged_before_what_rests_on_it(lecture):
     alone = lecture("2")
-    assert beside.judged_beside(alone) is alone
+    assert judged(alone) is alone
     assert "holds for no numbers" in str(alone.judged([*alone.lines][-1]).problem)
 
 
 def test_a_process_that_ends_is_not_waited_for(lecture, monkeypatch):
     monkeypatch.setattr(beside, "_answer", lambda *_: os._exit(1))
     alone = lecture(r"\frac12")
-    assert beside.judged_beside(alone) is alone
+    assert judged(alone) is alone
 
 
 def test_what_can_not_be_sent_is_judged_here(lecture, monkeypatch):
@@ -113,7 +122,17 @@ def test_what_can_not_be_sent_is_judged_here(lecture, monkeypatch):
 
     monkeypatch.setattr(beside.pickle, "dumps", refusing)
     alone = lecture(r"\frac12")
-    assert beside.judged_beside(alone) is alone
+    assert judged(alone) is alone
+
+
+@pytest.mark.parametrize("size", [r"\frac12", "2"])
+def test_what_is_asked_besides_is_asked_in_both(lecture, size):
+    alone = lecture(size)
+    made, follow, lines = beside.judged_beside(
+        alone, lambda x: [x.judged(id).follows for id in x.lines], lambda x: [*x.lines]
+    )
+    assert follow == [made.judged(id).follows for id in made.lines]
+    assert lines == [*alone.lines]
 
 
 def test_a_single_processor_is_left_alone(monkeypatch):
