@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import gc
-import os
 import sys
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -79,13 +77,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Judge and print; 0 if nothing failed that the notes get right."""
-    # SymPy reads this when it is first imported.  A check asks for the same sums and products again
-    # and again, and ends before what is kept of them is too much; who has set a size keeps it.
-    os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
+    claims.prepare()
     from rigidtop.collection import built_in, opened
 
-    # Expressions live on: to walk them again and again finds no cycle.
-    gc.set_threshold(50_000, 10, 1000)
     notation = chosen(options)
     if options.name and (page := Path(options.name[0])).suffix == ".md":
         if len(options.name) > 1:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+import os
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from pathlib import Path
@@ -26,6 +28,16 @@ FOLDER = "a folder with a collection of one's own, such as my_course/, may stand
 
 _SECTION = re.compile(r"\d+(\.\d+\.\d+(\.\d+)*)?")
 """What can be a section's number alone, unlike 3.5, which could be an equation's."""
+
+
+def prepare() -> None:
+    """Before SymPy is imported by a command that judges a whole lecture, and then ends.
+
+    It asks for the same sums and products again and again; who has set a size keeps it.  Its
+    expressions live on: to walk them again and again finds no cycle.
+    """
+    os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
+    gc.set_threshold(500_000, 10, 1000)
 
 
 def every(collection: collections.Collection) -> list[tuple[Page, Claim]]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import gc
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
@@ -67,9 +66,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Judge, solve and write; 0 if every claim passes and every number is confirmed."""
+    claims.prepare()
     from rigidtop.collection import opened
 
-    gc.set_threshold(700, 10, 1000)  # expressions live on: to walk all of them again finds no cycle
     if not options.output:
         raise RigidtopError("--output wants the name of a folder")
     # A slash says that it is a folder, whatever else it is not.
