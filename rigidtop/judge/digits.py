@@ -51,7 +51,8 @@ def has_extremes(expression: Expr) -> bool:
 
     So does one with more digits than anybody writes down, as 1 + 10⁻⁴⁵ has.
     """
-    return _extent(expression) > 0
+    below = any(map(has_extremes, expression.args))
+    return below or any(_own_extent(x) > 0 for x in _numbers_of(expression))
 
 
 def needed(expressions: Sequence[Expr]) -> int:
@@ -62,18 +63,23 @@ def needed(expressions: Sequence[Expr]) -> int:
 @lru_cache(maxsize=20_000)
 def _extent(expression: Expr) -> int:
     """How many digits its small, large and long numbers have, all together."""
-    return sum(map(_own_extent, _numbers(expression)))
+    parts = {*sympy.preorder_traversal(expression)}
+    return sum(_own_extent(x) for part in parts for x in _numbers_of(part))
 
 
-def _numbers(expression: Expr) -> Iterator[Expr]:
-    """All numbers in it, and those by which something is multiplied as one: π¹⁰e¹⁰."""
-    # Floating-point numbers come out of an integral: nobody has written them.
-    atoms = (x for x in expression.atoms(Rational, Pow, exp) if not x.has(Float))
-    yield from (x for x in atoms if x.is_number and x.is_real and x != 0)
-    for product in expression.atoms(Mul):
-        factors = [x for x in product.args if x.is_number and x.is_real and not x.has(Float)]
+def _numbers_of(part: Expr) -> Iterator[Expr]:
+    """A part if it is a number; of a product the numbers in it as one: π¹⁰e¹⁰."""
+    if isinstance(part, (Rational, Pow, exp)) and _is_written(part) and part != 0:
+        yield part
+    if isinstance(part, Mul):
+        factors = [x for x in part.args if _is_written(x)]
         if len(factors) > 1:
             yield Mul(*factors)
+
+
+def _is_written(part: Expr) -> bool:
+    """Whether it is a real number that may be written: no floating-point one out of an integral."""
+    return bool(part.is_number and part.is_real and not part.has(Float))
 
 
 @lru_cache(maxsize=2_000)
