@@ -357,7 +357,7 @@ def _with_amplitudes(
 
 def _without_factors(equation: Expr, parameters: Collection[Symbol]) -> Expr:
     """What vanishes in an equation whose parameters do not: neither a factor nor a denominator."""
-    factors = Mul.make_args(factor_terms(fraction(together(equation))[0]))
+    factors = Mul.make_args(_above(equation))
     return Mul(*(x for x in factors if x.as_base_exp()[0] not in parameters))
 
 
@@ -365,6 +365,12 @@ def _with_other_factors(equation: Expr, zeros: Collection[Symbol]) -> Expr:
     """What else makes an equation hold than that some letters vanish; itself if nothing does."""
     other = _without_factors(equation, zeros)
     return other if symbols(other) else equation
+
+
+@lru_cache(maxsize=1_000)
+def _above(equation: Expr) -> Expr:
+    """What stands above in an equation over one denominator, with its factors taken out."""
+    return factor_terms(fraction(together(equation))[0])
 
 
 def _stay(
