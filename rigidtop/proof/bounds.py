@@ -6,12 +6,14 @@ Factors of known sign decide; the answer "yes" is a proof, "no" is that it is no
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 
 import sympy
 from sympy import Expr, Matrix
 from sympy.core.relational import Relational
 
 from rigidtop.proof.decide import in_digits, vanishes
+from rigidtop.theory.polynomial import CACHED
 from rigidtop.theory.trig import reduce_ratio
 
 
@@ -38,9 +40,15 @@ def nonzero(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
     known = [condition.lhs - condition.rhs for condition in conditions if _strict(condition)]
     known_factors = [f for k in known for f in _factors(reduce_ratio(k))]
     return all(
-        factor.is_nonzero or any(vanishes(factor**2 - k**2) for k in known_factors)
+        factor.is_nonzero or any(_are_alike(factor, k) for k in known_factors)
         for factor in _factors(reduce_ratio(expression))
     )
+
+
+def _are_alike(one: Expr, other: Expr) -> bool:
+    """Whether two expressions are the same but for their signs: most are told apart by numbers."""
+    gap = one**2 - other**2
+    return in_digits([("=", gap)]) is not False and vanishes(gap)
 
 
 def positive(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
@@ -156,15 +164,16 @@ def _has_parts(terms: Sequence[Expr], fact: Expr, conditions: Sequence[Relationa
     )
 
 
-def _grouped(total: Expr) -> list[Expr]:
+@lru_cache(maxsize=CACHED)
+def _grouped(total: Expr) -> tuple[Expr, ...]:
     """The terms of a sum, those with a common square of a symbol taken together."""
     factors = {f for term in total.args for f in term.args}
     squares = {f for f in factors if f.is_Pow and f.exp == 2 and not f.base.is_positive}
     for square in sorted(squares, key=str):
         grouped = sympy.collect(total, [square, *sorted(squares - {square}, key=str)])
         if isinstance(grouped, sympy.Add):
-            return list(grouped.args)
-    return list(total.args)
+            return tuple(grouped.args)
+    return tuple(total.args)
 
 
 def _at_least_zero(term: Expr, conditions: Sequence[Relational]) -> bool:

@@ -138,8 +138,8 @@ def never_vanishes(expression: Expr, conditions: Sequence[Condition]) -> bool:
 def _has_no_root(flat: Expr, relations: Sequence[Relational]) -> bool:
     """Whether the discriminant of an expression that is quadratic in a letter is negative."""
     for x in sorted(flat.free_symbols, key=str):
-        if flat.is_polynomial(x) and sympy.degree(flat, x) == 2:
-            a, b, c = sympy.Poly(flat, x).all_coeffs()
+        if flat.is_polynomial(x) and (quadratic := sympy.Poly(flat, x)).degree() == 2:
+            a, b, c = quadratic.all_coeffs()
             if bounds.positive(sympy.expand(4 * a * c - b**2), relations):
                 return True
     return False
