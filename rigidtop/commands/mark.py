@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -100,6 +101,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Mark and print; 0 if every line follows and the derivation arrives."""
+    gc.set_threshold(500_000, 10, 1000)  # expressions live on: to walk them again finds no cycle
     from rigidtop.collection import is_collection
 
     start = options.start if options.given is None else options.given
