@@ -8,7 +8,7 @@ line that is not arrived at is a gap.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
@@ -306,6 +306,7 @@ def _contradiction(
         nothing = dict.fromkeys(performed.order.letters, 0)
         first = (x.subs(nothing) for x in apart)
         apart += [x for x in first if not x.has(sympy.nan, sympy.zoo, sympy.oo)]
+    apart += [x for known in cited for x in _gaps(known, letters)]
     if any(never_vanishes(x, conditions) for x in apart):
         return _AGAINST
     # A limit, such as g = 0, is set for a letter of which g > 0 is known.
@@ -313,6 +314,14 @@ def _contradiction(
     unset = [c for c in conditions if c.relation != "="]
     scalar = [x for x in settings if not {*letters.vectors} & x.free_symbols]
     return _AGAINST if any(never_vanishes(x, unset) for x in scalar) else ""
+
+
+def _gaps(known: Known, letters: Letters) -> Iterator[Expr]:
+    """What vanishes where an equation between scalars holds that is cited as it stands."""
+    for equation in known.equations if known.order is None else ():
+        for pair in pairs_of(equation, Algebra(letters)):
+            if pair.relation == "=" and _is_scalar(pair):
+                yield pair.left - pair.right
 
 
 def _at_odds(cited: Sequence[Known], letters: Letters) -> bool:

@@ -51,6 +51,7 @@ The use of angles => T_{tot} = MgR\,\theta^2
 The turned => L_1\cos\theta = L_2\,\theta\cos\theta
 The sum => \tau = \delta + \varepsilon
 The share => \epsilon_0 = \frac{\tau - \delta + \varepsilon^2}{\varepsilon}
+The square below zero => \beta^2 = -1
 """
 
 
@@ -365,6 +366,10 @@ Neglect $\varepsilon$ in the sum, for small $\varepsilon$ => \tau \approx \delta
 Set $\delta = 0$ in it => \tau \approx 0
 """,
         "nothing is known",
+    ),
+    "a square that is no number's": (
+        r"Add the square below zero to the deviation => \beta^2 + \delta = 0",
+        "this can't hold",
     ),
     "a brace of an integral that lies": (
         r"""
