@@ -52,6 +52,7 @@ The turned => L_1\cos\theta = L_2\,\theta\cos\theta
 The sum => \tau = \delta + \varepsilon
 The share => \epsilon_0 = \frac{\tau - \delta + \varepsilon^2}{\varepsilon}
 The square below zero => \beta^2 = -1
+The torque => \mathbf N = \boldsymbol\omega\times\mathbf L
 """
 
 
@@ -370,6 +371,16 @@ Set $\delta = 0$ in it => \tau \approx 0
     "a square that is no number's": (
         r"Add the square below zero to the deviation => \beta^2 + \delta = 0",
         "this can't hold",
+    ),
+    "a vector set to another and to its opposite": (
+        r"""
+Set $\boldsymbol\omega = \Omega\hat{\mathbf z}$ in the torque =>
+  \mathbf N = \Omega\hat{\mathbf z}\times\mathbf L \tag{9.1}
+Set $\boldsymbol\omega = -\Omega\hat{\mathbf z}$ in the torque =>
+  \mathbf N = -\Omega\hat{\mathbf z}\times\mathbf L \tag{9.2}
+Add (9.1) to (9.2) => 2\mathbf N = 0
+""",
+        "is set in two ways",
     ),
     "a brace of an integral that lies": (
         r"""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import sympy
-from sympy import Dummy, Expr, Integer, MatrixBase, Tuple
+from sympy import Dummy, Expr, Integer, MatrixBase, Mul, Tuple
 
 from rigidtop.proof.algebra import Algebra
 from rigidtop.proof.equation import Dot, NoMeaningError, Rate
@@ -116,7 +116,10 @@ def _one_way(starts: Sequence[Expr], word: str, letters: Letters) -> None:
         for other in starts[:k]:
             difference = sympy.expand(start - other)
             by_number = difference.free_symbols <= letters.numbers and not vanishes(difference)
-            if by_number or at_right_angles(difference, letters):
+            # x = y and x = −y hold together at 0 only, which is neither of the two cases.
+            product = Mul.make_args(difference.as_coeff_Mul()[1])
+            by_product = difference != 0 and all(x.is_Symbol for x in product)
+            if by_number or by_product or at_right_angles(difference, letters):
                 raise RefusedError("what is cited {} in two ways: {} and {}", word, other, start)
 
 
