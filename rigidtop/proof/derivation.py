@@ -96,7 +96,7 @@ def judge_line(line: Line, letters: Letters, above: Iterable[Known] = ()) -> Jud
 
     What it rests on, all that is `above` it, has to hold together with its conditions.
     """
-    bare = Known(line.id, line.equations, line.scope, called=line.called)
+    bare = unproved(line)
     set_to = () if line.move is None else line.move.by
     try:
         for equation in (*line.equations, *(x for x in set_to if isinstance(x, Equation))):
@@ -144,6 +144,19 @@ def judge_line(line: Line, letters: Letters, above: Iterable[Known] = ()) -> Jud
         tied=performed.tied | _ties(line, letters),
     )
     return Judged(line, known)
+
+
+def unproved(line: Line) -> Known:
+    """A line that does not follow, to be cited: it holds at most where all does that it cites."""
+    cited = () if line.move is None else line.move.cited
+    return Known(
+        line.id,
+        line.equations,
+        max((line.scope, *(known.scope for known in cited))),
+        joined([c for known in cited for c in known.conditions]),
+        called=line.called,
+        tied=frozenset[Symbol]().union(*(known.tied for known in cited)),
+    )
 
 
 _ROOTS = ("root", "solve")

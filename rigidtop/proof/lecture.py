@@ -19,7 +19,7 @@ from sympy import Expr, Symbol
 from rigidtop.errors import RigidtopError
 from rigidtop.proof import units
 from rigidtop.proof.algebra import Algebra
-from rigidtop.proof.derivation import Judged, Line, judge_line
+from rigidtop.proof.derivation import Judged, Line, judge_line, unproved
 from rigidtop.proof.equation import NoMeaningError, Printed
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.moves import Known, RefusedError, Scope
@@ -299,13 +299,11 @@ class Lecture:
         try:
             judged = judge_line(line, self.letters_at(line.id), above)
             if judged.follows and self.refuted and (why := self.refuted(self, judged)):
-                bare = Known(line.id, line.equations, line.scope, called=line.called)
-                return Judged(line, bare, RefusedError("{}", why))
+                return Judged(line, unproved(line), RefusedError("{}", why))
             return judged
         except Exception as error:
             broken = f"rigidtop breaks here, please report it: {type(error).__name__}: {error}"
-            bare = Known(line.id, line.equations, line.scope, called=line.called)
-            return Judged(line, bare, RefusedError("{}", broken))
+            return Judged(line, unproved(line), RefusedError("{}", broken))
 
     def letters_at(self, id: str) -> Letters:
         """The letters, with the units and meanings of those that the pages define.

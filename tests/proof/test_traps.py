@@ -52,6 +52,7 @@ The turned => L_1\cos\theta = L_2\,\theta\cos\theta
 The sum => \tau = \delta + \varepsilon
 The share => \epsilon_0 = \frac{\tau - \delta + \varepsilon^2}{\varepsilon}
 The square below zero => \beta^2 = -1
+The tie => \lambda_3 = 2\lambda_1
 The torque => \mathbf N = \boldsymbol\omega\times\mathbf L
 """
 
@@ -381,6 +382,13 @@ Set $\boldsymbol\omega = -\Omega\hat{\mathbf z}$ in the torque =>
 Add (9.1) to (9.2) => 2\mathbf N = 0
 """,
         "is set in two ways",
+    ),
+    "a number that was tied in a line that is wrong": (
+        r"""
+Put the tie into the use of spin => T = 3\lambda_1\dot\psi^2
+Differentiate it by $\lambda_1$ => \frac{\partial T}{\partial\lambda_1} = 3\dot\psi^2
+""",
+        "tied to other letters",
     ),
     "a brace of an integral that lies": (
         r"""
