@@ -16,6 +16,7 @@ a move (`rigidtop.proof.moves`), what it is done with, and what is put in beside
     Take the scalar product of A with $e$.  Take the vector product of $e$ with A.
     Take the scalar product of A with itself.  (each of its equations with each)
     Add A to B.                             Subtract $f$ times A from B.
+    Add $f$ to A.                           (to both of its sides)
     Sum A over all parts.  (k)
     Multiply A by $f$.                      Divide A by $f$.      Divide A by $f \\neq 0$.
     Multiply A by B.  (both sides: of a = b and c = d, ac = bd)
@@ -288,7 +289,7 @@ class _Shape(NamedTuple):
     The groups `a` and `b` name the lines that the move is of, `u` those that are put in, each the
     line above where nothing is said; `x`, `y` and `w` letters in dollars (as many as `w` has are to
     be without), `d` what it is divided by, `s` and `e` equations that set a letter, `k` and `l`
-    indices; `n` is a word for the power.
+    indices; `t` is a term, or the line that says what that is, `n` a word for the power.
     """
 
     pattern: str
@@ -307,6 +308,11 @@ class _Shape(NamedTuple):
         by = (*each("xy", _math), *each("d", _divisor), *without)
         by = (*by, *each("se", _settings), *each("kl", _index), *self.by)
         of = each("ab", _list) * (2 if parts.get("twice") else 1)
+        if term := parts.get("t"):
+            known = _named(term, context)
+            by = _math(term, context)
+            if known is not None and all(e.relation not in "<≤≥>" for e in known.equations):
+                of = (known, *of)
         power = len(without) or _POWERS.get(parts.get("n") or "", self.power)
         using = each("u", _list)
         if any(known in of for known in using):
@@ -391,6 +397,7 @@ _SHAPES = (
         for verb, to in (("add", "to"), ("subtract", "from"))
         for shape in (
             _Shape(rf"{verb.title()} {_L} times {_A}(?: {to} {_B})?", verb, by=(1,)),
+            _Shape(rf"{verb.title()} (?P<t>\$[^$=]+\$)(?: {to} {_B})?", verb),
             _Shape(rf"{verb.title()} {_A}(?: {to} {_B})?", verb),
         )
     ),

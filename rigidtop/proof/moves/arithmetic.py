@@ -75,14 +75,20 @@ def _product(move: Move, algebra: Algebra, times: Callable[[Value, Value], Value
 
 def adding(sign: int) -> Callable[[Move, Algebra], Performed]:
     def combine(move: Move, algebra: Algebra) -> Performed:
-        """Add … to …, subtract … from …; `by` are the factors that each is taken with."""
-        factors = [algebra.value(f) for f in move.by] or [Integer(1)] * len(move.of)
-        if len(move.of) != 2:
+        """Add … to …, subtract … from …; `by` are the factors that each is taken with.
+
+        One thing alone is a term that both sides get, if it is not what an equation says it is.
+        """
+        values = [algebra.value(f) for f in move.by]
+        terms, factors = (values, []) if len(values) == 1 else ([], values)
+        factors = factors or [Integer(1)] * len(move.of)
+        if len(move.of) != 2 and not (terms and len(move.of) == 1):
             raise RefusedError("{} takes two equations", move.verb)
-        first, second = (
+        *named, second = (
             [_times(f, p, algebra, move) for p in _compared(k, algebra)]
             for k, f in zip(move.of, factors, strict=True)
         )
+        first = [*(pair for pairs in named for pair in pairs), *(Pair(x, x) for x in terms)]
         minus = Integer(sign)
         pairs = [
             Pair(

@@ -1,0 +1,61 @@
+"""What is done with both sides of an equation, or of an inequality."""
+
+from __future__ import annotations
+
+import pytest
+
+from .test_moves import last
+
+LAWS = r"""
+# Laws
+The order => \omega_1 > \omega_2
+The lower bound => \omega_2 > \Omega
+The squares => \omega_1^2 = \omega_2^2
+The spin => \omega_3 = \omega_2 + \Omega
+The torque => \boldsymbol\omega\times\mathbf L = \mathbf N
+The mean => \omega_1 \approx \omega_2
+"""
+
+FOLLOWS = {
+    "a term of an inequality": r"Subtract $\omega_2$ from the order => \omega_1 - \omega_2 > 0",
+    "a power": r"Subtract $\omega_2^2$ from the squares => \omega_1^2 - \omega_2^2 = 0",
+    "a vector": r"""
+Subtract $\boldsymbol\omega\times\mathbf L$ from the torque =>
+  0 = \mathbf N - \boldsymbol\omega\times\mathbf L
+""",
+    "to the line above": "Rewrite the order => \\omega_1 > \\omega_2\n"
+    r"Add $\Omega$ => \omega_1 + \Omega > \omega_2 + \Omega",
+    "a letter as what it is": r"Add $\omega_3$ to the order =>"
+    r" \omega_1 + \omega_3 > \omega_2 + \omega_2 + \Omega",
+    "a letter as itself": r"Subtract $\omega_3$ from the order =>"
+    r" \omega_1 - \omega_3 > \omega_2 - \omega_3",
+}
+REFUSED = {
+    "the other sign": (
+        r"Subtract $\omega_2$ from the order => \omega_2 - \omega_1 > 0",
+        "the move gives <",
+    ),
+    "on one side": (
+        r"Add $\Omega$ to the order => \omega_1 + \Omega > \omega_2",
+        "does not arrive",
+    ),
+    "twice": (
+        r"Subtract $\omega_2^2$ from the squares => \omega_1^2 - 2\omega_2^2 = 0",
+        "does not arrive",
+    ),
+    "to what is approximate": (
+        r"Subtract $\omega_2$ from the mean => \omega_1 - \omega_2 \approx 0",
+        "no order is known",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FOLLOWS)
+def test_what_is_done_with_both_sides_follows(name: str) -> None:
+    assert last(FOLLOWS[name], LAWS) == ""
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_is_done_otherwise_is_refused(name: str) -> None:
+    page, reason = REFUSED[name]
+    assert reason in last(page, LAWS)
