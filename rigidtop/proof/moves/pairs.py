@@ -101,6 +101,7 @@ def give(equation: Equation, source: Known, given: dict[Expr, Value], letters: L
             *((single_atom(side), other) for side, other in both),
             *((_scaled_atom(side, letters), other) for side, other in both),
             *map(_rooted, both),
+            *(map(_factor, both) if source.order is None else ()),
         ):
             if atom is None or atom[0] in given or atom[0] in set(atoms_of(other)):
                 continue
@@ -128,6 +129,17 @@ def _rooted(sides: tuple[Value, Value]) -> tuple[tuple[Expr, Expr] | None, Value
     if not (is_power and power.base.is_positive and isinstance(other, Expr)):
         return None, other
     return (power.base, Integer(1)), other ** (1 / power.exp)
+
+
+def _factor(sides: tuple[Value, Value]) -> tuple[tuple[Expr, Expr] | None, Value]:
+    """What a letter of a product is, where the rest of that can't vanish, as in Mb = ma."""
+    product, other = sides
+    scalar = isinstance(product, Mul) and product.is_commutative and isinstance(other, Expr)
+    for x in product.args if scalar and other.is_commutative else ():
+        rest = product / x
+        if x.is_Symbol and (nonzero(rest, ()) or nonzero(other, ())):
+            return (x, rest), other
+    return None, other
 
 
 def entries(left: Value, right: Value) -> Iterator[tuple[Value, Value]]:
