@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from itertools import pairwise
@@ -338,6 +339,14 @@ class Ground:
             else:
                 complete = False
         return made, complete
+
+    def apart(self, context: Context) -> Iterator[Expr]:
+        """What is divided by on the way to the line: no world has a zero of it."""
+        for condition in self.premises.conditions:
+            if condition.relation == "≠" and (node := _node_of(condition.expression)) is not None:
+                with suppress(UnclearError):
+                    value = self.values.of(node, context)
+                    yield from () if isinstance(value, MatrixBase) else (value,)
 
     def _of(self, each: Constraint, context: Context) -> Iterator[Residual]:
         left, right = (self.plain(x, context.definitions) for x in (each.left, each.right))

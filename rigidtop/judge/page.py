@@ -247,7 +247,8 @@ class Question:
         if len(gaps) > most:
             return Outcome(UNDECIDED, "it rests on too much")
         letters = w.symbols_of([*gaps, *flat])
-        worlds = self._real(w.found(gaps, letters, self.ground.vanishing, enough=ENOUGH))
+        apart = plain([*self.ground.apart(context)])
+        worlds = self._real(w.found(gaps, letters, self.ground.vanishing, apart, ENOUGH))
         holds = worlds.holds(sides)
         if holds:
             return Outcome(SAMPLED)

@@ -272,3 +272,29 @@ def test_what_stands_below_a_line_is_solved_for(judged):
     line = judged(law + "Solve the law for $x$:\n\n$$x = v + \\frac ay$$\n")
     assert line.follows, line.problem
     assert {str(c.expression) for c in line.known.conditions} == {"y", "-v + x"}
+
+
+SQUARES = r"""# 1 A page
+
+## Laws
+
+Chosen. The squares:
+
+$$x^2 = y^2$$
+
+## Lines
+
+Subtract $y^2$ from the squares:
+
+$$x^2 - y^2 = 0$$
+
+Divide it by $x - y$:
+
+$$x + y = 0$$
+"""
+
+
+def test_no_world_has_a_zero_of_what_was_divided_by(judged):
+    line = judged(SQUARES)
+    assert line.follows, line.problem
+    assert [each.relation for each in line.known.conditions] == ["≠"]
