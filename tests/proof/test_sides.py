@@ -35,6 +35,12 @@ Subtract $\boldsymbol\omega\times\mathbf L$ from the torque =>
     r" \omega_1 + \omega_3 > \omega_2 + \omega_2 + \Omega",
     "a product of numbers": r"Put the balance into the lever => E = 0",
     "a product that is 1": r"Put the inverse pair into the shares => \beta = 1 + \tau",
+    "squares of an inequality": (
+        r"Square the order, for $\omega_2 > 0$ => \omega_1^2 > \omega_2^2"
+    ),
+    "squares of what is negative": (
+        r"Square the order, for $\omega_1 < 0$ => \omega_1^2 < \omega_2^2"
+    ),
     "a letter as itself": r"Subtract $\omega_3$ from the order =>"
     r" \omega_1 - \omega_3 > \omega_2 - \omega_3",
 }
@@ -59,6 +65,15 @@ Put the balance into the lever => E = 0
 Differentiate it by $R$ => \frac{\partial E}{\partial R} = 0
 """,
         "tied to other letters",
+    ),
+    "squares of any sign": (r"Square the order => \omega_1^2 > \omega_2^2", "may be negative"),
+    "squares where the larger is positive": (
+        r"Square the order, for $\omega_1 > 0$ => \omega_1^2 > \omega_2^2",
+        "may be negative",
+    ),
+    "squares of what is negative, not turned": (
+        r"Square the order, for $\omega_1 < 0$ => \omega_1^2 > \omega_2^2",
+        "the move gives <",
     ),
     "twice": (
         r"Subtract $\omega_2^2$ from the squares => \omega_1^2 - 2\omega_2^2 = 0",

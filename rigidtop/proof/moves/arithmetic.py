@@ -251,6 +251,9 @@ def square(move: Move, algebra: Algebra) -> Performed:
         return algebra.dot(value, value) if isinstance(value, Vector) else value**2
 
     known = the_one(move)
+    if any(p.relation in _TURNED for p in all_pairs(known, algebra)):
+        pairs = [_squared(p, (*move.where, *move.bounds)) for p in all_pairs(known, algebra)]
+        return Performed(tuple(pairs), known.scope)
     order = known.order
     if order is not None:  # (a + O)² has the error a O
         sides = [v for p in all_pairs(known, algebra) for v in p.sides]
@@ -258,6 +261,20 @@ def square(move: Move, algebra: Algebra) -> Performed:
         order = replace(order, power=order.power + min(0, lowest))
     made = replace(mapped(move, algebra, squared), order=order)
     return replace(made, conditions=_of_roots(all_pairs(known, algebra)))
+
+
+def _squared(pair: Pair, known: Sequence[Condition]) -> Pair:
+    """Both sides of an inequality squared, where the smaller one is known not to be negative.
+
+    Where the larger one is known not to be positive the inequality turns round.
+    """
+    small, large = pair.sides if pair.relation in "<≤" else pair.sides[::-1]
+    relation = pair.relation
+    if bounds.nonnegative(*flat_with(-large, known, weak=True)):
+        relation = _TURNED[relation]
+    elif not bounds.nonnegative(*flat_with(small, known, weak=True)):
+        raise RefusedError("{} may be negative: its square says nothing", small)
+    return Pair(pair.left**2, pair.right**2, relation)
 
 
 def _of_roots(pairs: Sequence[Pair]) -> tuple[Condition, ...]:
