@@ -62,7 +62,8 @@ def positive(expression: Expr, conditions: Sequence[Relational] = ()) -> bool:
     if _is_negative_somewhere(expression, conditions):
         return False
     ratio = reduce_ratio(expression)
-    if ratio.is_positive or _sign(ratio, conditions) == 1:
+    # A sum of squares is one as it is written, and no longer where they are expanded.
+    if expression.is_positive or ratio.is_positive or _sign(ratio, conditions) == 1:
         return True
     # A condition may bound a product that stands in the ratio as a whole.
     return any(_sign(reduce_ratio(ratio / fact), conditions) == 1 for fact in _facts(conditions))

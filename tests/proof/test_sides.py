@@ -18,6 +18,8 @@ The lever => E = MgR - M_dgh_d
 The balance => MR = M_dh_d
 The inverse pair => \delta\tau = 1
 The shares => \beta = \delta\tau + \tau
+The gap => \chi = (\omega_1 - \omega_2)^2 + \frac gR
+The bare gap => \chi = (\omega_1 - \omega_2)^2
 The product => \omega_1\omega_2 = \omega_3^2
 The other product => \Omega^2 = \omega_1\omega_2 + \omega_3^2
 """
@@ -41,6 +43,7 @@ Subtract $\boldsymbol\omega\times\mathbf L$ from the torque =>
     "squares of what is negative": (
         r"Square the order, for $\omega_1 < 0$ => \omega_1^2 < \omega_2^2"
     ),
+    "the sign of a sum of squares": r"Take the sign of the gap => \chi > 0",
     "a letter as itself": r"Subtract $\omega_3$ from the order =>"
     r" \omega_1 - \omega_3 > \omega_2 - \omega_3",
 }
@@ -75,6 +78,7 @@ Differentiate it by $R$ => \frac{\partial E}{\partial R} = 0
         r"Square the order, for $\omega_1 < 0$ => \omega_1^2 > \omega_2^2",
         "the move gives <",
     ),
+    "the sign of a square": (r"Take the sign of the bare gap => \chi > 0", "sign is not known"),
     "twice": (
         r"Subtract $\omega_2^2$ from the squares => \omega_1^2 - 2\omega_2^2 = 0",
         "does not arrive",
