@@ -62,6 +62,7 @@ from rigidtop.proof.lecture import Fault, Lecture, Text
 from rigidtop.proof.letters import Letters
 from rigidtop.proof.model import Model
 from rigidtop.proof.page import Claim, Page, by_lines
+from rigidtop.proof.units import is_energy
 from rigidtop.read.library import Law, laws_of
 from rigidtop.read.page import read_beside, read_exercises, read_lecture
 from rigidtop.read.tables import rows
@@ -394,9 +395,9 @@ def _empty(folder: Path, lecture: Lecture) -> Iterator[Text]:
 def letters_of(notation: Notation) -> Letters:
     """What a notation's letters are, as far as they show it.
 
-    What is positive is a number; a letter with a dotted one is a coordinate, whose rate that is;
-    bold letters are vectors.  Units are the symbols' own.  Letters of the lecture on the top are
-    exchanged and belong to bodies that exist as they do there.
+    What is positive is a number; a letter with a dotted one is a coordinate, whose rate that is,
+    unless it is an energy; bold letters are vectors.  Units are the symbols' own.  Letters of the
+    lecture on the top are exchanged and belong to bodies that exist as they do there.
     """
     glyphs = notation.glyphs
     dots = {"": "dot", "dot": "ddot"}
@@ -406,18 +407,22 @@ def letters_of(notation: Notation) -> Letters:
         if glyph.accent in dots
         and (dotted := replace(glyph, accent=dots[glyph.accent])) in notation.names
     }
+    unit = {
+        x: (x.quantity if isinstance(x, Lettered) else symbols.VOCABULARY[x]).unit for x in glyphs
+    }
     return Letters(
         numbers=frozenset(x for x in glyphs if x.is_positive),
-        coordinates=tuple(x for x in rates if glyphs[x].accent == "" and not glyphs[x].bold),
+        coordinates=tuple(
+            x
+            for x in rates
+            if glyphs[x].accent == "" and not glyphs[x].bold and not is_energy(unit[x])
+        ),
         rates=rates,
         vectors=frozenset(x for x, glyph in glyphs.items() if glyph.bold),
         operators=frozenset(filter(is_matrix, glyphs)),
         families=tuple(f for f in LETTERS.families if len({*f} & {*glyphs}) > 1),
         exists=LETTERS.exists,
-        units={
-            x: (x.quantity if isinstance(x, Lettered) else symbols.VOCABULARY[x]).unit
-            for x in glyphs
-        },
+        units=unit,
     )
 
 

@@ -257,13 +257,19 @@ def define(line: Line, letters: Letters) -> Symbol:
 
 def _holds(line: Line, scope: Scope, letters: Letters) -> Scope:
     """Where a line holds: along the motion at most if it ties coordinates and velocities."""
-    free = {*letters.coordinates}
+    energies = {x for x in letters.rates if units.is_energy(letters.units.get(x, ""))}
+    free = {*letters.coordinates} | energies
     for _ in range(2):  # q̇ and q̈
         free |= {letters.rates[x] for x in free if x in letters.rates}
     for equation in line.equations if scope is Scope.IDENTITY else ():
         here = symbols_of(equation)
         ties = here & free and here <= free | letters.numbers | {TIME}
-        if equation.relation in ("=", "≡") and (ties or const in here):
+        # What gives an energy by coordinates and velocities says it for all of them.
+        within = {x for side in equation.sides if side.args for x in side.free_symbols}
+        states = within - energies - letters.numbers
+        gives = bool(states and energies & {*equation.sides} - within)
+        gives = gives and states <= {*letters.coordinates} | letters.velocities
+        if equation.relation in ("=", "≡") and ((ties and not gives) or const in here):
             pairs = pairs_of(equation, Algebra(letters))
             if not all(agree(pair.left, pair.right) for pair in pairs):
                 return Scope.MOTION

@@ -91,6 +91,15 @@ def parsed(unit: str) -> Dimension | None:
     return None if below is None else _times(over, _power(below, Fraction(-1)))
 
 
+def is_energy(unit: str) -> bool:
+    """Whether it is a unit of energy, which no coordinate has.
+
+    >>> is_energy("kg m²/s²"), is_energy("J s")
+    (True, False)
+    """
+    return parsed(unit) == parsed("J")
+
+
 def known() -> str:
     """The units that can be written, in words."""
     return ", ".join(unit for unit in _EXPONENTS if unit != "1")

@@ -16,7 +16,7 @@ LETTERS = """
 from rigidtop.theory.lettered import in_order, positive, real
 from rigidtop.theory.symbols import Glyph, t as t
 
-a, c, h, v, x, ydot, y, sdot, s, W, theta = in_order(
+a, c, h, v, x, ydot, y, sdot, s, W, theta, m, g, E0, Edot, E, qddot, qdot, q = in_order(
     positive("a", Glyph("a"), "a positive number", "1"),
     positive("c", Glyph("c"), "a rate", "1/s"),
     positive("h", Glyph("h"), "a positive number", "1"),
@@ -28,6 +28,14 @@ a, c, h, v, x, ydot, y, sdot, s, W, theta = in_order(
     real("s", Glyph("s"), "any number", "1"),
     real("W", Glyph("W"), "any number", "1"),
     real("theta", Glyph("θ"), "any number", "1"),
+    positive("m", Glyph("m"), "a mass", "kg"),
+    positive("g", Glyph("g"), "an acceleration", "m/s²"),
+    positive("E0", Glyph("E", "0"), "a constant energy", "J"),
+    real("Edot", Glyph("E", accent="dot"), "its rate", "W"),
+    real("E", Glyph("E"), "an energy", "J"),
+    real("qddot", Glyph("q", accent="ddot"), "its second rate", "m/s²"),
+    real("qdot", Glyph("q", accent="dot"), "its rate", "m/s"),
+    real("q", Glyph("q"), "a place", "m"),
 )
 """
 PAGES = """
@@ -298,3 +306,37 @@ def test_no_world_has_a_zero_of_what_was_divided_by(judged):
     line = judged(SQUARES)
     assert line.follows, line.problem
     assert [each.relation for each in line.known.conditions] == ["≠"]
+
+
+ENERGY = r"""# 1 A page
+
+## Laws
+
+{whose} energy:
+
+$$E = {energy}$$
+
+## Lines
+
+Differentiate the energy by ${by}$:
+
+$$\frac{{\partial E}}{{\partial {by}}} = {slope}$$
+"""
+
+
+@pytest.mark.parametrize(
+    ("whose", "energy", "by", "slope", "follows"),
+    [
+        ("Chosen. The", r"\tfrac12m\dot q^2 + mgq", "q", "mg", True),
+        ("Chosen. The", r"\tfrac12m\dot q^2 + mgq", r"\dot q", r"m\dot q", True),
+        ("Chosen. The", r"\tfrac12m\dot q^2 + mgq", "m", r"\tfrac12\dot q^2 + gq", True),
+        ("Chosen. The", r"\tfrac12m\dot q^2 + mgq", "q", "2mg", False),
+        ("Along the motion, the", r"\tfrac12m\dot q^2 + mgq", "q", "mg", False),
+        ("Chosen. The", "E_0", "q", "0", False),
+        ("Chosen. The", r"E_0 + E\dot q^2/(gq)", "q", r"-E\dot q^2/(gq^2)", False),
+        ("Chosen. The", r"-\tfrac12mq\ddot q", "q", r"-\tfrac12m\ddot q", False),
+    ],
+)
+def test_an_energy_is_no_coordinate(judged, whose, energy, by, slope, follows):
+    page = ENERGY.format(whose=whose, energy=energy, by=by, slope=slope)
+    assert judged(page).follows is follows

@@ -14,7 +14,7 @@ The squares => \omega_1^2 = \omega_2^2
 The spin => \omega_3 = \omega_2 + \Omega
 The torque => \boldsymbol\omega\times\mathbf L = \mathbf N
 The mean => \omega_1 \approx \omega_2
-The lever => E = MgR - M_dgh_d
+The lever => U = MgR - M_dgh_d
 The balance => MR = M_dh_d
 The inverse pair => \delta\tau = 1
 The shares => \beta = \delta\tau + \tau
@@ -35,7 +35,7 @@ Subtract $\boldsymbol\omega\times\mathbf L$ from the torque =>
     r"Add $\Omega$ => \omega_1 + \Omega > \omega_2 + \Omega",
     "a letter as what it is": r"Add $\omega_3$ to the order =>"
     r" \omega_1 + \omega_3 > \omega_2 + \omega_2 + \Omega",
-    "a product of numbers": r"Put the balance into the lever => E = 0",
+    "a product of numbers": r"Put the balance into the lever => U = 0",
     "a product that is 1": r"Put the inverse pair into the shares => \beta = 1 + \tau",
     "squares of an inequality": (
         r"Square the order, for $\omega_2 > 0$ => \omega_1^2 > \omega_2^2"
@@ -56,7 +56,7 @@ REFUSED = {
         r"Add $\Omega$ to the order => \omega_1 + \Omega > \omega_2",
         "does not arrive",
     ),
-    "a balance the other way": (r"Put the balance into the lever => E = 2MgR", "does not arrive"),
+    "a balance the other way": (r"Put the balance into the lever => U = 2MgR", "does not arrive"),
     "another product": (r"Put the inverse pair into the shares => \beta = 2", "does not arrive"),
     "a product that may vanish": (
         r"Put the product into the other product => \Omega^2 = 2\omega_3^2",
@@ -64,8 +64,8 @@ REFUSED = {
     ),
     "what a product ties": (
         r"""
-Put the balance into the lever => E = 0
-Differentiate it by $R$ => \frac{\partial E}{\partial R} = 0
+Put the balance into the lever => U = 0
+Differentiate it by $R$ => \frac{\partial U}{\partial R} = 0
 """,
         "tied to other letters",
     ),
