@@ -115,8 +115,9 @@ class Pages:
     def read(self) -> dict[str, tuple[Statement, ...] | str]:
         """What each line states, or why it can't be read."""
         functions = letters_of(self.lecture.letters.functions)
+        differentials = Letter("d") not in letters_of(self.lecture.letters.units)
         return {
-            shown.line.id: _read(shown.latex, functions)
+            shown.line.id: _read(shown.latex, functions, differentials)
             for text in self.lecture.texts
             for shown in text.shown
             if shown.line is not None
@@ -190,8 +191,10 @@ def _is_root(line: Line) -> bool:
     return line.move is None or line.move.verb == "call"
 
 
-def _read(text: str, functions: frozenset[Letter]) -> tuple[Statement, ...] | str:
-    read = statements(text, functions=functions)
+def _read(
+    text: str, functions: frozenset[Letter], differentials: bool
+) -> tuple[Statement, ...] | str:
+    read = statements(text, functions=functions, differentials=differentials)
     wrong = [x.reason for x in read if not isinstance(x, Statement)]
     return wrong[0] if wrong else tuple(x for x in read if isinstance(x, Statement))
 

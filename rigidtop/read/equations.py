@@ -20,6 +20,7 @@ from rigidtop.read.kinds import UnknownError, of_one_kind
 from rigidtop.read.macros import PACKAGES, Macros
 from rigidtop.read.sizes import checked_size
 from rigidtop.read.statements import Read, is_conditional, statements
+from rigidtop.theory.symbols import Glyph
 from rigidtop.tree import nodes as n
 from rigidtop.tree.plain import plain
 from rigidtop.tree.several import each_index, each_sign
@@ -46,7 +47,8 @@ def equations(text: str, notation: Notation = NOTES, macros: Macros = PACKAGES) 
     Nothing of the text is evaluated, and its size and depth are limited, and its powers.
     """
     lines: list[Line] = []
-    for each in _whole(statements(text, macros)):
+    differentials = Glyph("d") not in notation.names  # beside a letter d, dx is a product
+    for each in _whole(statements(text, macros, differentials=differentials)):
         if isinstance(each, Unread):
             lines.append(Line(each.position, None, each.reason, each.tag))
         else:

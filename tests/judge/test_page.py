@@ -16,9 +16,10 @@ LETTERS = """
 from rigidtop.theory.lettered import in_order, positive, real
 from rigidtop.theory.symbols import Glyph, t as t
 
-a, c, h, v, x, ydot, y, sdot, s, W, theta, m, g, E0, Edot, E, qddot, qdot, q = in_order(
+a, c, d, h, v, x, ydot, y, sdot, s, W, theta, m, g, E0, Edot, E, qddot, qdot, q = in_order(
     positive("a", Glyph("a"), "a positive number", "1"),
     positive("c", Glyph("c"), "a rate", "1/s"),
+    positive("d", Glyph("d"), "a positive number", "1"),
     positive("h", Glyph("h"), "a positive number", "1"),
     real("v", Glyph("v"), "any number", "1"),
     real("x", Glyph("x"), "any number", "1"),
@@ -340,3 +341,24 @@ $$\frac{{\partial E}}{{\partial {by}}} = {slope}$$
 def test_an_energy_is_no_coordinate(judged, whose, energy, by, slope, follows):
     page = ENERGY.format(whose=whose, energy=energy, by=by, slope=slope)
     assert judged(page).follows is follows
+
+
+PRODUCT = r"""# 1 A page
+
+## Laws
+
+Chosen. The product:
+
+$$W = dx$$
+
+## Lines
+
+Set $x = 2d$ in the product:
+
+$$W = {value}$$
+"""
+
+
+@pytest.mark.parametrize(("value", "follows"), [("2d^2", True), ("2d", False)])
+def test_d_before_a_letter_is_a_factor_where_d_is_a_letter(judged, value, follows):
+    assert judged(PRODUCT.replace("{value}", value)).follows is follows
