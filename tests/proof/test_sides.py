@@ -20,6 +20,9 @@ The inverse pair => \delta\tau = 1
 The shares => \beta = \delta\tau + \tau
 The gap => \chi = (\omega_1 - \omega_2)^2 + \frac gR
 The bare gap => \chi = (\omega_1 - \omega_2)^2
+The fraction => \beta = \frac{\delta}{\delta + \tau}
+The root => \epsilon_0 = \tau\sqrt{\delta^2 + 1}
+The wave => \mu = \sin(\delta + \tau)
 The product => \omega_1\omega_2 = \omega_3^2
 The other product => \Omega^2 = \omega_1\omega_2 + \omega_3^2
 """
@@ -44,6 +47,12 @@ Subtract $\boldsymbol\omega\times\mathbf L$ from the torque =>
         r"Square the order, for $\omega_1 < 0$ => \omega_1^2 < \omega_2^2"
     ),
     "the sign of a sum of squares": r"Take the sign of the gap => \chi > 0",
+    "what is small below a line": (
+        r"Neglect $\delta$ in the fraction, for small $\delta$ => \beta \approx \frac\delta\tau"
+    ),
+    "what is small beneath a root": (
+        r"Neglect $1$ in the root, for large $\delta$ => \epsilon_0 \approx \tau\sqrt{\delta^2}"
+    ),
     "a letter as itself": r"Subtract $\omega_3$ from the order =>"
     r" \omega_1 - \omega_3 > \omega_2 - \omega_3",
 }
@@ -79,6 +88,26 @@ Differentiate it by $R$ => \frac{\partial U}{\partial R} = 0
         "the move gives <",
     ),
     "the sign of a square": (r"Take the sign of the bare gap => \chi > 0", "sign is not known"),
+    "what is large below a line": (
+        r"Neglect $\delta$ in the fraction, for large $\delta$ => \beta \approx \frac\delta\tau",
+        "not small",
+    ),
+    "what is no smaller below a line": (
+        r"Neglect $\tau$ in the fraction, for small $\delta$ => \beta \approx 1",
+        "not small",
+    ),
+    "all below a line": (
+        r"Neglect $\delta + \tau$ in the fraction, for small $\delta$ => \beta \approx \delta",
+        "nothing is left",
+    ),
+    "what is large beneath a root": (
+        r"Neglect $\delta^2$ in the root, for large $\delta$ => \epsilon_0 \approx \tau",
+        "not small",
+    ),
+    "in an angle": (
+        r"Neglect $\delta$ in the wave, for small $\delta$ => \mu \approx \sin\tau",
+        "does not stand there",
+    ),
     "twice": (
         r"Subtract $\omega_2^2$ from the squares => \omega_1^2 - 2\omega_2^2 = 0",
         "does not arrive",

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import islice
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Integer, MatrixBase, Symbol, factorial
+from sympy import Add, Expr, Integer, MatrixBase, Mul, Symbol, factorial
 
 from rigidtop.proof import floats
 from rigidtop.proof.algebra import Algebra
@@ -227,24 +228,48 @@ def neglect(move: Move, algebra: Algebra) -> Performed:
     conditions: list[Condition] = []
     for pair in said_pairs(known, algebra):
         for k, side in enumerate((pair.left, pair.right)):
-            rest = side
-            for term in left_out:
-                # The term that is named may stand there with a minus.
-                signs = [x for x in (1, -1) if _contains(rest, algebra.times(Integer(x), term))]
-                if not signs:
-                    break
-                rest = algebra.total([rest, algebra.times(Integer(-signs[0]), term)])
-            else:
+            for whole, outside in _sums(side):
+                rest = _without(left_out, whole, algebra)
+                if rest is None:
+                    continue
                 if all(vanishes(part) for part in components(rest, Integer(0))):
                     raise RefusedError("nothing is left of a side: what is larger has to stay")
                 conditions += _outweighed(left_out, rest, move, algebra.letters)
-                for whole, kept in zip(scalars(side), scalars(rest), strict=False):
-                    _kept_is_larger(whole, kept, move.by[-1], move, algebra.letters)
+                for each, kept in zip(scalars(whole), scalars(rest), strict=False):
+                    _kept_is_larger(each, kept, move.by[-1], move, algebra.letters)
+                rest = outside(rest)
                 sides = (rest, pair.right) if k == 0 else (pair.left, rest)
                 pairs.append(Pair(*sides, "≈"))
+                break
     if not pairs:
         raise RefusedError("what is neglected does not stand there")
     return Performed(tuple(pairs), known.scope, tuple(conditions), Order(NEGLECTED, 1))
+
+
+def _sums(side: Value) -> Iterator[tuple[Value, Callable[[Value], Value]]]:
+    """A side, and sums of which a power is a factor of it, each with what stands around it.
+
+    A small share of a sum is a small share of its powers, and of what they multiply.
+    """
+    yield side, lambda rest: rest
+    for factor in Mul.make_args(side) if isinstance(side, Expr) and side.is_commutative else ():
+        base, power = factor.as_base_exp()
+        if base.is_Add and power.is_number:
+            yield base, partial(_times_power, side / factor, power)
+
+
+def _times_power(around: Expr, power: Expr, base: Value) -> Value:
+    return around * base**power
+
+
+def _without(terms: Sequence[Value], whole: Value, algebra: Algebra) -> Value | None:
+    """A sum without some of its terms, which may be named without their minus."""
+    for term in terms:
+        signs = [x for x in (1, -1) if _contains(whole, algebra.times(Integer(x), term))]
+        if not signs:
+            return None
+        whole = algebra.total([whole, algebra.times(Integer(-signs[0]), term)])
+    return whole
 
 
 def _outweighed(
