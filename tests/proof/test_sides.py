@@ -17,6 +17,7 @@ The mean => \omega_1 \approx \omega_2
 The lever => U = MgR - M_dgh_d
 The balance => MR = M_dh_d
 The inverse pair => \delta\tau = 1
+The product with its sine => \tau\sin\tau = 1
 The shares => \beta = \delta\tau + \tau
 The gap => \chi = (\omega_1 - \omega_2)^2 + \frac gR
 The bare gap => \chi = (\omega_1 - \omega_2)^2
@@ -69,6 +70,10 @@ REFUSED = {
     "another product": (r"Put the inverse pair into the shares => \beta = 2", "does not arrive"),
     "a product that may vanish": (
         r"Put the product into the other product => \Omega^2 = 2\omega_3^2",
+        "gives no letter",
+    ),
+    "a letter in the rest of its product": (
+        r"Put the product with its sine into the shares => \beta = \delta\tau + 1/\sin\tau",
         "gives no letter",
     ),
     "what a product ties": (

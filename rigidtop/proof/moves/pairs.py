@@ -137,7 +137,7 @@ def _factor(sides: tuple[Value, Value]) -> tuple[tuple[Expr, Expr] | None, Value
     scalar = isinstance(product, Mul) and product.is_commutative and isinstance(other, Expr)
     for x in product.args if scalar and other.is_commutative else ():
         rest = product / x
-        if x.is_Symbol and (nonzero(rest, ()) or nonzero(other, ())):
+        if x.is_Symbol and not rest.has(x) and (nonzero(rest, ()) or nonzero(other, ())):
             return (x, rest), other
     return None, other
 
