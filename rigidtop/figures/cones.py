@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,17 +14,16 @@ from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, Film, film, one
 from rigidtop.figures.space import UPRIGHT, View, circle, ring, unit
-from rigidtop.figures.style import Canvas, Floats, canvas
+from rigidtop.figures.style import Floats
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 from rigidtop.parameters import Parameter
 
+ACROSS = r"magnitude of $\boldsymbol\omega$ across the axis"
 BODY = (
     Parameter("lambda1", 1.0, "moment across the axis", "kg m²", above=0),
     Parameter("lambda3", 0.55, "moment about the axis", "kg m²", above=0),
-    Parameter(
-        "omega_0", 0.45, r"magnitude of $\boldsymbol\omega$ across the axis", "rad/s", above=0
-    ),
+    Parameter("omega_0", 0.45, ACROSS, "rad/s", above=0),
     Parameter("omega3", 1.0, r"$\omega_3$", "rad/s", above=0),
 )
 
@@ -33,20 +33,20 @@ def free_motion(lambda1: float, lambda3: float, omega_0: float, omega3: float) -
     return FreeBody(lambda1, lambda1, lambda3).motion(omega=(omega_0, 0.0, omega3))
 
 
-def three_directions(motion: Motion, *, space: bool) -> tuple[Floats, Floats, Floats]:
-    """e₃, ω and L as unit vectors at t = 0, in the plane of the paper (yz), to the left of ẑ.
+def on_paper(motion: Motion, *, space: bool) -> tuple[Floats, Floats]:
+    """e₃, ω and L (3, 3) as unit vectors at t = 0, in the plane of the paper (yz), to the left of
+    ẑ; and the matrix that brings them there.
 
     In the body frame e₃ is along ẑ, in the space frame L.
     """
     start = motion.start()
-    e3, omega, momentum = start.e3[0], unit(start.omega_space[0]), unit(start.angular_momentum[0])
-    upright = momentum if space else e3
+    vectors = np.array([start.e3[0], start.omega_space[0], start.angular_momentum[0]])
+    vectors /= np.linalg.norm(vectors, axis=1)[:, None]
     # Left is where ω and L lean from e₃, and e₃ from L.
-    away = e3 if space else momentum
+    upright, away = vectors[[2, 0] if space else [0, 2]]
     left = unit(away - (away @ upright) * upright)
-    frame = np.array([np.cross(-left, upright), -left, upright])
-    first, second, third = (frame @ vector for vector in (e3, omega, momentum))
-    return first, second, third
+    matrix = np.array([np.cross(-left, upright), -left, upright])
+    return vectors @ matrix.T, matrix
 
 
 def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
@@ -54,7 +54,7 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
 
     In the body frame ω and L go round e₃; in the space frame ω and e₃ go round L.
     """
-    directions = three_directions(motion, space=space)
+    directions, _ = on_paper(motion, space=space)
     upright = directions[2 if space else 0]
     parts: list[pen.Part] = []
     looks = (
@@ -66,7 +66,7 @@ def draw_cones(axes: Axes, motion: Motion, *, space: bool) -> None:
         angle = angle_between(upright, direction)
         if angle > 1e-9:
             parts += solids.cone_mantle(circle(upright, angle, length=length), color, alpha)
-        high = 1.35 if direction is upright else length  # its name above the rims
+        high = 1.35 if np.all(direction == upright) else length  # its name above the rims
         parts.append(pen.Arrow(high * direction, words, color, 1.5))
     pen.picture(axes, parts, (-1.0, 1.0), (-0.03, 1.4))
     axes.set_title("space frame" if space else "body frame")
@@ -77,11 +77,9 @@ def angle_between(first: Floats, second: Floats) -> float:
     return math.atan2(float(np.linalg.norm(np.cross(first, second))), float(first @ second))
 
 
-def _cones(**values: float) -> Canvas:
-    drawn = canvas(look.TEXT, 2.15)
-    for k, axes in enumerate(drawn.subplots(1, 2)):
-        draw_cones(axes, free_motion(**values), space=bool(k))
-    return drawn
+def _cones(body: Axes, space: Axes, **values: float) -> None:
+    draw_cones(body, free_motion(**values), space=False)
+    draw_cones(space, free_motion(**values), space=True)
 
 
 def _relation(lambda1: float, lambda3: float) -> str:
@@ -90,11 +88,14 @@ def _relation(lambda1: float, lambda3: float) -> str:
 
 def _cones_facts(lambda1: float, lambda3: float, **omega: float) -> dict[str, Any]:
     motion = free_motion(lambda1, lambda3, **omega)
-    e3, *others = three_directions(motion, space=False)
-    in_body = (lambda1 - lambda3) * motion.omega[2] / lambda1  # Ω_b of (3.40)
-    tilt, lean = (angle_between(e3, other) for other in others)
-    facts = {"relation": _relation(lambda1, lambda3), "tilt": tilt, "lean": lean}
-    return {**facts, "in_body": in_body, "in_space": motion.mean_precession}
+    (e3, omega3, momentum), _ = on_paper(motion, space=False)
+    return {
+        "relation": _relation(lambda1, lambda3),
+        "tilt": angle_between(e3, omega3),
+        "lean": angle_between(e3, momentum),
+        "in_body": (lambda1 - lambda3) * motion.omega[2] / lambda1,  # Ω_b of (3.40)
+        "in_space": motion.mean_precession,
+    }
 
 
 CONES = Drawing(
@@ -102,7 +103,7 @@ CONES = Drawing(
     "The cones of a free symmetric body, in the body frame and in space",
     "3.2.3",
     BODY,
-    _cones,
+    pen.panels(look.TEXT, 2.15, _cones, 1, 2),
     "The cones of a free symmetric body with "
     r"$\lambda_1 = {lambda1} {relation} \lambda_3 = {lambda3}$ kg m², $\omega_0 = {omega_0}$ and "
     r"$\omega_3 = {omega3}$ rad/s. Left: in the body frame $\boldsymbol\omega$ and $\mathbf L$ go "
@@ -129,13 +130,10 @@ def draw_rolling_cones(axes: Axes, motion: Motion, t: float = 0.0, low: float = 
     They touch along ω, which is the line that is at rest for a moment; L is upright.  Both have
     the length 1 along their mantles.  The lower edge of the paper is at `low`.
     """
-    view, run = View(elevation=0.34), motion.exact([0.0, t])
-    e3, _, momentum = three_directions(motion, space=True)
-    # From the space frame of the motion to that of the paper, in which L is upright.
-    start = _frame(run.e3[0], unit(run.angular_momentum[0]))
-    to_paper = _frame(e3, momentum).T @ start
-    axis, contact = to_paper @ run.e3[1], to_paper @ unit(run.omega_space[1])
-    mark = to_paper @ run.rotation.as_matrix()[1][:, 0]
+    view, run = View(elevation=0.34), motion.exact(t)
+    _, to_paper = on_paper(motion, space=True)
+    axis, contact = to_paper @ run.e3[0], to_paper @ unit(run.omega_space[0])
+    mark = to_paper @ run.rotation.as_matrix()[0][:, 0]
     space, body = angle_between(contact, UPRIGHT), angle_between(contact, axis)
     inside = angle_between(axis, UPRIGHT) < body
     aside = math.copysign(10, view(contact)[0]), 0.0  # away from the name of L
@@ -165,19 +163,9 @@ def _striped(
     return [*solids.cone_mantle(circle(axis, half), color, 0.13, z), *stripes]
 
 
-def _frame(e3: Floats, momentum: Floats) -> Floats:
-    """Rows: an orthonormal frame from the plane of two directions."""
-    across = unit(np.cross(momentum, e3))
-    return np.array([momentum, across, np.cross(momentum, across)])
-
-
 def _rolling(lambda1: float, lambda3: float, lambda3_right: float, **omega: float) -> list[Motion]:
     moments = ((lambda1, lambda3), (lambda1, lambda3_right))
     return [free_motion(first, third, **omega) for first, third in moments]
-
-
-def _draw_rolling(**values: float) -> Canvas:
-    return _rolling_film(-0.12, **values).canvas
 
 
 def _rolling_film(low: float = -0.5, **values: float) -> Film:
@@ -194,7 +182,7 @@ def _rolling_film(low: float = -0.5, **values: float) -> Film:
 
 def _half_angles(motion: Motion) -> tuple[float, float]:
     """Of the body cone and of the space cone (rad)."""
-    e3, omega, momentum = three_directions(motion, space=True)
+    (e3, omega, momentum), _ = on_paper(motion, space=True)
     return angle_between(e3, omega), angle_between(momentum, omega)
 
 
@@ -230,12 +218,10 @@ ROLLING_CONES = Drawing(
         BODY[0],
         Parameter("lambda3", 0.5, "moment about the axis, left", "kg m²", above=0),
         Parameter("lambda3_right", 1.7, "moment about the axis, right", "kg m²", above=0),
-        Parameter(
-            "omega_0", 0.7, r"magnitude of $\boldsymbol\omega$ across the axis", "rad/s", above=0
-        ),
+        replace(BODY[2], default=0.7),
         BODY[3],
     ),
-    _draw_rolling,
+    lambda **values: _rolling_film(-0.12, **values).canvas,
     r"The body cone (red, about $\mathbf e_3$) rolls without slipping on the space cone (blue, "
     r"about $\mathbf L$): they touch along $\boldsymbol\omega$. Left, "
     r"$\lambda_1 = {lambda1} {relation_left} \lambda_3 = {lambda3}$ kg m²: {touching_left}. Right, "

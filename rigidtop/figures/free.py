@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, one
 from rigidtop.figures.space import UPRIGHT, View, circle, unit
-from rigidtop.figures.style import Canvas, Floats, canvas, said
+from rigidtop.figures.style import Floats, said
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.motion import Motion
 from rigidtop.parameters import Parameter
@@ -196,13 +197,6 @@ def _flip_times(motion: Motion) -> Floats:
     return np.linspace(0.0, FLIPS * motion.nutation_period, 1601)
 
 
-def share_near_ends(motion: Motion) -> float:
-    """The part of the time in which ω about the middle axis is above 0.9 of its largest value."""
-    _, middle = _order(FreeBody(*motion.body.moments))
-    rate = np.abs(motion.exact(_flip_times(motion)).omega[:, middle])
-    return float(np.mean(rate > 0.9 * rate.max()))
-
-
 def _draw_flip(axes: Axes, **values: float) -> None:
     motion = flip(**values)
     draw_rates(axes, motion, _flip_times(motion))
@@ -213,6 +207,7 @@ def _draw_flip(axes: Axes, **values: float) -> None:
 def _flip_facts(omega: float, kick: float, **moments: float) -> dict[str, Any]:
     motion = flip(**moments, omega=omega, kick=kick)
     least, middle = _order(FreeBody(**moments))
+    rate = np.abs(motion.exact(_flip_times(motion)).omega[:, middle])
     stays = (
         "stays near its first value, {omega} radians per second, then falls to the opposite value "
         "at once and stays there, again and again; the other two are near zero but for a pulse at "
@@ -228,7 +223,7 @@ def _flip_facts(omega: float, kick: float, **moments: float) -> dict[str, Any]:
         "middle": rf"$\mathbf e_{middle + 1}$",
         "number": middle + 1,
         "period": motion.nutation_period,
-        "course": stays if share_near_ends(motion) > 0.5 else swings,
+        "course": stays if np.mean(rate > 0.9 * rate.max()) > 0.5 else swings,
     }
 
 
@@ -266,10 +261,8 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
         pen.Sphere(),
         pen.on_sphere(in_body, look.INK, lw=1.4, label="_momentum"),
     ]
-    for k, axis in enumerate(np.eye(3)):
-        shift = (-13.0, 2.0) if k == 0 else None  # beside the way of L of a long body
-        name = rf"$\mathbf{{e}}_{k + 1}$"
-        parts.append(pen.Arrow(1.4 * axis, name, look.AXIS, 1.0, start=axis, shift=shift))
+    first, *others = pen.frame(np.eye(3), 1.4, start=1.0)
+    parts += [replace(first, shift=(-13.0, 2.0)), *others]  # beside the way of L of a long body
     limits = (-1.3, 1.3), (-1.08, 1.45)
     pen.picture(body_axes, [*parts, _mark(view, in_body[0], look.L_VEC)], *limits, view)
 
@@ -278,14 +271,14 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
     momentum = unit(run.angular_momentum[0])
     across = circle(momentum, math.pi / 2)[0]
     frame = np.array([across, np.cross(momentum, across), momentum])
-    first, third = (run.rotation.as_matrix()[:, :, k] @ frame.T for k in (0, 2))
+    e1, e3 = (run.rotation.as_matrix()[:, :, k] @ frame.T for k in (0, 2))
     parts = [
         pen.Sphere(),
         pen.Arrow(1.4 * UPRIGHT, look.L_VEC, lw=1.0, start=UPRIGHT),
-        pen.on_sphere(first, look.GREY, lw=0.8),
-        pen.on_sphere(third, look.AXIS, lw=1.5, label="_axis"),
-        _mark(view, first[0], r"$\mathbf{e}_1$"),
-        _mark(view, third[0], look.E3),
+        pen.on_sphere(e1, look.GREY, lw=0.8),
+        pen.on_sphere(e3, look.AXIS, lw=1.5, label="_axis"),
+        _mark(view, e1[0], look.E1),
+        _mark(view, e3[0], look.E3),
     ]
     pen.picture(space_axes, parts, *limits, view)
     body_axes.set_title("body frame")
@@ -301,17 +294,13 @@ def _mark(view: View, point: Floats, words: str) -> pen.Mark:
 
 
 def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> Motion:
-    motion = FreeBody(**moments).motion(omega=(omega1, omega2, omega3))
-    if not any(motion.omega):
+    if not (omega1 or omega2 or omega3):
         raise RigidtopError("omega1, omega2 and omega3 are all 0: the body is at rest")
-    return motion
+    return FreeBody(**moments).motion(omega=(omega1, omega2, omega3))
 
 
-def _draw_tumbling(**values: float) -> Canvas:
-    drawn = canvas(look.TEXT, 2.6)
-    left, right = drawn.subplots(1, 2)
-    draw_tumbling(left, right, _tumbling(**values))
-    return drawn
+def _draw_tumbling(body: Axes, space: Axes, **values: float) -> None:
+    draw_tumbling(body, space, _tumbling(**values))
 
 
 def _lasting(seconds: float) -> str:
@@ -364,10 +353,8 @@ def _ways(omega: Floats) -> str:
     return f"{THIRD} and {FIRST} go round circles"
 
 
-def _tumbling_facts(
-    omega1: float, omega2: float, omega3: float, **moments: float
-) -> dict[str, Any]:
-    motion = _tumbling(omega1, omega2, omega3, **moments)
+def _tumbling_facts(**values: float) -> dict[str, Any]:
+    motion = _tumbling(**values)
     steady = motion.regime == "steady"
     rate = math.hypot(*motion.omega) if steady else abs(motion.mean_precession)
     first, second, third = motion.body.moments
@@ -376,7 +363,7 @@ def _tumbling_facts(
     return {
         **dict(zip(("body", "space", "left", "right"), course, strict=True)),
         "kind": motion.regime,
-        "three": _three(**moments),
+        "three": _three(*motion.body.moments),
         "ways": _ways(np.array(motion.omega)),
         "back": _lasting(2 * motion.nutation_period),
         "turn": _lasting(2 * math.pi / rate),
@@ -391,7 +378,7 @@ TUMBLING = Drawing(
     "A tumbling body such as Toutatis, in the body frame and in space",
     "",
     toutatis.parameters[:6],
-    _draw_tumbling,
+    pen.panels(look.TEXT, 2.6, _draw_tumbling, 1, 2),
     r"A free body with {three} (in any unit) and at first $\omega_1$, $\omega_2$, "
     r"$\omega_3 = {omega1}, {omega2}, {omega3}$ rad/s. Left: in the body {body}. Right: in space "
     "{space}. Dots, open where they are behind: at first.",

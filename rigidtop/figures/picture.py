@@ -372,10 +372,20 @@ def couple(along: ArrayLike, shift: Shift, ha: str = "left") -> Part:
     return Words(ORIGIN, r"$\mathbf{N} = 0$", shift, look.TORQUE, ha)
 
 
-def axes_of_space(length: float, names: Iterable[str] = look.SPACE, **style: Any) -> list[Part]:
-    """x̂, ŷ and ẑ with their names."""
-    ends = zip(length * np.eye(3), names, strict=True)
-    return [Arrow(end, words, **{"color": look.GREY, "lw": 0.7, **style}) for end, words in ends]
+def frame(
+    axes: Floats,
+    length: float,
+    names: Iterable[str] = look.BODY,
+    start: float = 0.0,
+    centre: Floats = ORIGIN,
+    **style: Any,
+) -> list[Arrow]:
+    """The three directions in the rows of `axes`, with their names, from a start to a length."""
+    style = {"color": look.AXIS, "lw": 1.0, **style}
+    return [
+        Arrow(centre + length * axis, name, start=centre + start * axis, **style)
+        for axis, name in zip(axes, names, strict=True)
+    ]
 
 
 # --- The paper -----------------------------------------------------------------------------------
@@ -428,22 +438,37 @@ def legend_above(axes: Axes, **style: Any) -> None:
     axes.legend(**place, **{"handlelength": 2.4, **style})
 
 
-def alone(height: float, fill: Callable[..., None]) -> Callable[..., look.Canvas]:
-    """What draws a figure of one panel in a column, which `fill` fills: its Axes, parameters."""
+def panels(
+    width: float, height: float, fill: Callable[..., None], *shape: int, **grid: Any
+) -> Callable[..., look.Canvas]:
+    """What draws a figure (inches) of so many rows and columns of panels, as `subplots` has them.
+
+    `fill` fills them all: it takes their Axes, row by row, and the parameters.  Where they share
+    what goes across, the names of what goes up stand below each other.
+    """
 
     def drawn(**values: float) -> look.Canvas:
-        figure = look.canvas(look.COLUMN, height)
-        fill(figure.subplots(), **values)
+        figure = look.canvas(width, height)
+        fill(*np.ravel(figure.subplots(*shape, **grid)), **values)
+        if grid.get("sharex"):
+            figure.align_ylabels()
         return figure
 
     return drawn
 
 
-def abreast(height: float, *fills: Callable[..., None]) -> Callable[..., look.Canvas]:
+def alone(height: float, fill: Callable[..., None]) -> Callable[..., look.Canvas]:
+    """What draws a figure of one panel in a column, which `fill` fills: its Axes, parameters."""
+    return panels(look.COLUMN, height, fill)
+
+
+def abreast(
+    height: float, *fills: Callable[..., None], width: float = look.TEXT
+) -> Callable[..., look.Canvas]:
     """What draws pictures side by side without room between, each by what fills it."""
 
     def drawn(**values: float) -> look.Canvas:
-        figure = look.Canvas(figsize=(look.TEXT, height))
+        figure = look.Canvas(figsize=(width, height))
         for k, fill in enumerate(fills):
             fill(figure.add_axes((k / len(fills), 0.0, 1 / len(fills), 1.0)), **values)
         return figure

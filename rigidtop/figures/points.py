@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,7 +17,7 @@ from rigidtop.figures import style as look
 from rigidtop.figures.bodies import vertical
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, View, arc, circle, total, unit
+from rigidtop.figures.space import UPRIGHT, View, arc, circle, ring, total, unit
 from rigidtop.figures.style import Floats, degrees, said
 from rigidtop.motion.attitude import from_euler_angles
 
@@ -30,42 +30,28 @@ SHORT = 0.15
 """No room for a name along an arm of this length, or between stick and axis."""
 
 
-@dataclass(frozen=True)
-class Stick:
+class Stick(NamedTuple):
     """Two masses (kg) on a stick in the yz plane that turns about ẑ, at one moment (SI units)."""
 
     masses: Floats
     positions: Floats
     omega: Floats
-
-    @property
-    def momenta(self) -> Floats:
-        """m r × (ω × r) of each (2, 3), J s."""
-        velocities = np.cross(self.omega, self.positions)
-        return np.cross(self.positions, self.masses[:, None] * velocities)
-
-    @property
-    def momentum(self) -> Floats:
-        """L (3,), J s."""
-        return total(self.momenta)
-
-    @property
-    def torque(self) -> Floats:
-        """N = ω × L (3,), which turns L along with the stick, N m."""
-        sizes = float(np.linalg.norm(self.omega) * np.linalg.norm(self.momenta))
-        return total(np.cross(self.omega, self.momenta), sizes)
-
-    @property
-    def force(self) -> Floats:
-        """F (3,), which keeps the centre of mass on its circle, N."""
-        rates = np.cross(self.omega, np.cross(self.omega, self.positions))
-        return total(self.masses[:, None] * rates)
+    momentum: Floats
+    """L (3,), J s."""
+    torque: Floats
+    """N = ω × L (3,), which turns L along with the stick, N m."""
+    force: Floats
+    """F (3,), which keeps the centre of mass on its circle, N."""
 
 
 def stick(M_1: float, M_2: float, a: float, b: float, alpha: float, omega: float) -> Stick:
     """The first mass above the bearing and to the right of the axis."""
     along = np.array([0.0, math.sin(alpha), math.cos(alpha)])
-    return Stick(np.array([M_1, M_2]), np.outer([a, -b], along), np.array([0.0, 0.0, omega]))
+    masses, positions, turn = np.array([M_1, M_2]), np.outer([a, -b], along), omega * UPRIGHT
+    momenta = np.cross(positions, masses[:, None] * np.cross(turn, positions))
+    torque = total(np.cross(turn, momenta), omega * float(np.linalg.norm(momenta)))
+    force = total(masses[:, None] * np.cross(turn, np.cross(turn, positions)))
+    return Stick(masses, positions, turn, total(momenta), torque, force)
 
 
 def draw_two_masses(axes: Axes, held: Stick) -> None:
@@ -172,14 +158,12 @@ class Points:
     @property
     def weights(self) -> Floats:
         """The force on each (N, 3), N."""
-        made: Floats = self.masses[:, None] * np.array([0.0, 0.0, -self.g])
-        return made
+        return np.outer(self.masses, -self.g * UPRIGHT)
 
     @property
     def centre(self) -> Floats:
         """R_CM (3,), m."""
-        made: Floats = self.masses @ self.places / self.masses.sum()
-        return made
+        return np.average(self.places, axis=0, weights=self.masses)
 
     @property
     def torque(self) -> Floats:
@@ -204,7 +188,8 @@ def draw_weights(axes: Axes, body: Points) -> None:
     weights = 0.75 * body.weights / np.linalg.norm(body.weights, axis=1).sum()
     right = _room_on_the_right(centre, places, np.vstack([0.55 * np.eye(3), 1.15 * couple]))
     side, shift = ("left", (5, 3)) if right else ("right", (-5, 3))
-    parts: list[pen.Part] = pen.axes_of_space(0.45, z=1.5)
+    frame = pen.frame(np.eye(3), 0.45, look.SPACE, color=look.GREY, lw=0.7, z=1.5)
+    parts: list[pen.Part] = [*frame]
     for k, place in enumerate(places):
         size = 9 * float(np.cbrt(body.masses[k] / body.masses.max()))  # as balls of one material
         parts += _point(place, weights[k], f"$m_{k + 1}$", size)
@@ -287,9 +272,9 @@ def view_of(phi: float) -> View:
 
 
 def draw_leaning_cone(
-    axes: Axes, radius: float, height: float, theta: float, phi: float, centre: float
+    axes: Axes, radius: float, height: float, theta: float, phi: float, **others: float
 ) -> None:
-    """The cone (m), its centre of mass at the distance `centre` (m) from the tip, and N.
+    """The cone (m), its centre of mass and N.
 
     The cone is to scale, its mantle has the length 1; Mg and N have lengths of their own.  The
     paper is as large as they need.
@@ -298,10 +283,10 @@ def draw_leaning_cone(
     e3, nodes = attitude[:, 2], attitude[:, 1]
     level = np.array([math.cos(phi), math.sin(phi), 0.0])  # where it leans to
     size = math.hypot(radius, height)
-    place = centre / size * e3
+    shape = {"radius": radius, "height": height, "theta": theta, "phi": phi}
+    place = answers(gravity_on_a_solid, **shape, **others)["R"] / size * e3
     weight = place - 0.42 * UPRIGHT
-    lean = theta * np.linspace(0.0, 1.0, 61)
-    way = 1.18 * (np.outer(np.cos(lean), UPRIGHT) + np.outer(np.sin(lean), level))
+    way = ring(pen.ORIGIN, nodes, 1.18, UPRIGHT, theta, 61)
     upright = vertical(theta)
     parts: list[pen.Part] = [
         *solids.cone(e3, height / size, radius / size),
@@ -311,8 +296,7 @@ def draw_leaning_cone(
         *_height(place, level),
         pen.Arrow(weight, start=place),
         pen.Words(weight, look.WEIGHT, (6, 2)),
-        pen.Mark(place),
-        pen.Words(place, look.R_CM, (7, -9)),
+        pen.Mark(place, words=look.R_CM, shift=(7, -9)),
         pen.couple(0.0 * nodes if upright else 0.85 * nodes, (20, -4)),
     ]
     if not upright:
@@ -322,8 +306,7 @@ def draw_leaning_cone(
 
 def _azimuth(view: View, phi: float, level: Floats) -> list[pen.Part]:
     """The azimuth from x̂ to the direction into which the cone leans, under it."""
-    turned = math.remainder(phi, 2 * math.pi) * np.linspace(0.0, 1.0, 61)
-    way = 0.4 * np.column_stack([np.cos(turned), np.sin(turned), 0 * turned])
+    way = ring(pen.ORIGIN, UPRIGHT, 0.4, [1.0, 0.0, 0.0], math.remainder(phi, 2 * math.pi), 61)
     return [
         pen.Arrow([0.6, 0.0, 0.0], look.X, look.GREY, 0.7, z=1.5),
         pen.guide([pen.ORIGIN, 0.5 * level], ls=look.DOTTED, z=1.5),
@@ -354,12 +337,6 @@ def _height(place: Floats, level: Floats) -> list[pen.Part]:
     ]
 
 
-def _draw(axes: Axes, **values: float) -> None:
-    found = answers(gravity_on_a_solid, **values)
-    radius, height, theta, phi = (values[name] for name in ("radius", "height", "theta", "phi"))
-    draw_leaning_cone(axes, radius, height, theta, phi, found["R"])
-
-
 def _facts_leaning_cone(theta: float, **others: float) -> dict[str, Any]:
     facts = answers(gravity_on_a_solid, theta=theta, **others)
     if vertical(theta):
@@ -378,7 +355,7 @@ LEANING_CONE = Drawing(
     "A solid cone on its tip: torque and potential energy",
     "",
     gravity_on_a_solid.parameters,
-    pen.alone(3.0, _draw),
+    pen.alone(3.0, draw_leaning_cone),
     "A solid cone on its tip, of radius {radius} m, height {height} m and density {density} kg/m³, "
     "{leans}. The centre of mass of the cone is at $R = {R}$ m, three quarters of its height, and "
     "with $M = {mass}$ kg and $g = {g}$ m/s² its potential energy is "

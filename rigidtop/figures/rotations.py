@@ -18,7 +18,7 @@ from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import View, unit
-from rigidtop.figures.style import Canvas, Floats, canvas, degrees, said
+from rigidtop.figures.style import Floats, degrees, said
 from rigidtop.parameters import Parameter
 
 # --- Euler's angles ------------------------------------------------------------------------------
@@ -29,11 +29,10 @@ ANGLE = "#3f7d2a"
 NODES = {"zyz": 1, "zxz": 0}
 """Which axis of the first turn is the line of nodes, about which the second goes."""
 
-E1, E2, E3 = (rf"$\mathbf{{e}}_{k}$" for k in (1, 2, 3))
 NODE = r"$\mathbf{e}_2'$"
 NAMES = {
-    "zyz": ((r"$\mathbf{h}$", NODE, ""), (r"$\mathbf{e}_1'$", NODE, E3), (E1, E2, E3)),
-    "zxz": ((NODE, r"$-\mathbf{h}$", ""), (NODE, r"$-\mathbf{e}_1'$", E3), (E1, E2, E3)),
+    "zyz": ((r"$\mathbf{h}$", NODE, ""), (r"$\mathbf{e}_1'$", NODE, look.E3), look.BODY),
+    "zxz": ((NODE, r"$-\mathbf{h}$", ""), (NODE, r"$-\mathbf{e}_1'$", look.E3), look.BODY),
 }
 """Of the axes after each step, in the letters of the notes."""
 
@@ -73,9 +72,9 @@ def draw_rotation(
     moved = [each for each, there in zip(old, new, strict=True) if not np.allclose(each, there)]
     parts = [
         pen.Curve([-0.18 * axis, 0.98 * axis], TURNED_ABOUT, 5, z=1, cap="round"),
-        *pen.axes_of_space(1.34, color=look.FIRST, lw=0.8, z=2),
+        *pen.frame(np.eye(3), 1.34, look.SPACE, color=look.FIRST, lw=0.8, z=2),
         *(pen.Curve([pen.ORIGIN, each], look.AXIS, ls=look.HIDDEN, z=3) for each in moved),
-        *(pen.Arrow(tip, name, look.AXIS, 1.6, z=4) for tip, name in zip(new, names, strict=True)),
+        *pen.frame(new, 1.0, names, lw=1.6, z=4),
         pen.Curve(way, ANGLE, 1.4, z=4, head=abs(angle) > 0.1),
         pen.Words(way[at], symbol, (right, up), ANGLE, "center", "center", 11),
     ]
@@ -93,24 +92,18 @@ def turns(sequence: str, *angles: float) -> list[tuple[Floats, float, int, str]]
     ]
 
 
-def _draw_angles(sequence: str, *angles: float) -> Canvas:
-    drawn = canvas(look.TEXT, 2.5)
-    attitudes, about = steps(sequence, *angles), (look.Z, NODE, E3)
-    all_turned = zip(drawn.subplots(1, 3), turns(sequence, *angles), strict=True)
-    for i, (axes, turned) in enumerate(all_turned):
-        draw_rotation(axes, attitudes[i], attitudes[i + 1], turned, NAMES[sequence][i])
-        axes.set_title(f"({'i' * (i + 1)})  {turned[3]} about {about[i]}", color=look.INK)
-    return drawn
-
-
 def euler_angles(sequence: str) -> Drawing:
     """The three turns of a sequence, "zyz" as in the notes or "zxz", in the notes' letters.
 
     Its parameters are the angles of that sequence.
     """
 
-    def words(**_: float) -> dict[str, Any]:
-        return {"nodes": f"e{NODES[sequence] + 1} prime"}
+    def fill(*panels: Axes, phi: float, theta: float, psi: float) -> None:
+        attitudes, about = steps(sequence, phi, theta, psi), (look.Z, NODE, look.E3)
+        for i, turned in enumerate(turns(sequence, phi, theta, psi)):
+            names = NAMES[sequence][i]
+            draw_rotation(panels[i], attitudes[i], attitudes[i + 1], turned, names)
+            panels[i].set_title(f"({'i' * (i + 1)})  {turned[3]} about {about[i]}", color=look.INK)
 
     def angle(name: str, degrees: float, about: str) -> Parameter:
         least, most = -2 * math.pi, 2 * math.pi
@@ -126,7 +119,7 @@ def euler_angles(sequence: str) -> Drawing:
             replace(angle("theta", 45, r"second, about $\mathbf e_2'$"), least=0, most=math.pi),
             angle("psi", 45, r"third, about $\mathbf e_3$"),
         ),
-        lambda phi, theta, psi: _draw_angles(sequence, phi, theta, psi),
+        pen.panels(look.TEXT, 2.5, fill, 1, 3),
         r"Euler's angles $\phi$, $\theta$ and $\psi$, here {phi:°}, {theta:°} and {psi:°}: three "
         "rotations, each about the axis on the broad stripe, from "
         r"$\hat{\mathbf x}\hat{\mathbf y}\hat{\mathbf z}$ (thin) to "
@@ -136,7 +129,7 @@ def euler_angles(sequence: str) -> Drawing:
         "by phi, {phi:°} degrees, about z, which gives {nodes}; then by theta, {theta:°} "
         "degrees, about {nodes}, which brings e3 where it stays; last by psi, {psi:°} degrees, "
         "about e3, which brings e1 and e2 to their final places.",
-        words,
+        lambda **_: {"nodes": f"e{NODES[sequence] + 1} prime"},
         turned=euler_angles,
     )
 
@@ -212,14 +205,12 @@ def draw_turned(axes: Axes, turn: Floats, gamma: float, last: Turn | None = None
     `last` says about which of the two it has just been turned, 0 or 1, and by how much (rad).
     """
     ends = 1.15 * axes_of_rotation(gamma)
-    close = gamma < CLOSE
-    names = (
-        ("", r"$\mathbf{n}_1, \mathbf{n}_2$") if close else (r"$\mathbf{n}_1$", r"$\mathbf{n}_2$")
-    )
+    names, below = (r"$\mathbf{n}_1$", r"$\mathbf{n}_2$"), None
+    if gamma < CLOSE:
+        names, below = ("", r"$\mathbf{n}_1, \mathbf{n}_2$"), (-3.0, -10.0)
     parts = book(turn)
     for end, name in zip(ends, names, strict=True):
         out, seen = leaves(turn, unit(end))
-        below = (-3.0, -10.0) if close else None
         parts.append(pen.Arrow(end, name, look.FIRST, 1.0, out, below, 5 if seen else 2))
     if last is not None:
         k, angle = last
@@ -246,14 +237,12 @@ def orders(alpha: float, beta: float, gamma: float) -> list[list[tuple[str, Floa
     ]
 
 
-def _draw_rotation_order(**values: float) -> Canvas:
-    drawn = canvas(look.COLUMN, 2.55)
-    steps = [step for row in orders(**values) for step in row]
-    for (words, turn, last), axes in zip(steps, drawn.subplots(2, 3).flat, strict=True):
+def _draw_orders(*panels: Axes, **values: float) -> None:
+    first, second = orders(**values)
+    for axes, (words, turn, last) in zip(panels, first + second, strict=True):
         draw_turned(axes, turn, values["gamma"], last)
         axes.set_title(words)
         pen.paper(axes, (-0.98, 1.2), (-0.92, 0.92))
-    return drawn
 
 
 def _facts(**angles: float) -> dict[str, Any]:
@@ -271,7 +260,7 @@ ORDER_OF_ROTATIONS = Drawing(
     "Two turns of a book: $AB$ is not $BA$",
     "",
     rotations_form_a_group.parameters,
-    _draw_rotation_order,
+    pen.panels(look.COLUMN, 2.55, _draw_orders, 2, 3),
     r"A book turned by $A$, $2\alpha_1 = {alpha:°}$ about $\mathbf n_1$, and by $B$, "
     r"$2\alpha_2 = {beta:°}$ about $\mathbf n_2$, axes at $\gamma = {gamma:°}$ that stay where "
     "they are. The cover bears an F, the darker back a bar. Above $B$ comes first, below $A$; the "

@@ -66,17 +66,10 @@ HIDDEN: tuple[float, Sequence[float]] = (0, (2.5, 2))
 DASH_DOT: tuple[float, Sequence[float]] = (0, (6, 1.5, 1, 1.5))
 DOTTED: tuple[float, Sequence[float]] = (0, (1, 1.6))
 
-E3, OMEGA_VEC, L_VEC, N_VEC = (
-    r"$\mathbf{e}_3$",
-    r"$\boldsymbol{\omega}$",
-    r"$\mathbf{L}$",
-    r"$\mathbf{N}$",
-)
-L_DOT, R_CM, WEIGHT = (
-    r"$\dot{\mathbf{L}}=\mathbf{N}$",
-    r"$\mathbf{R}_\mathrm{CM}$",
-    r"$M\mathbf{g}$",
-)
+OMEGA_VEC, L_VEC, N_VEC = r"$\boldsymbol{\omega}$", r"$\mathbf{L}$", r"$\mathbf{N}$"
+L_DOT, WEIGHT = r"$\dot{\mathbf{L}}=\mathbf{N}$", r"$M\mathbf{g}$"
+R_CM = r"$\mathbf{R}_\mathrm{CM}$"
+BODY = E1, E2, E3 = tuple(rf"$\mathbf{{e}}_{k}$" for k in (1, 2, 3))
 SPACE = X, Y, Z = tuple(rf"$\hat{{\mathbf{{{axis}}}}}$" for axis in "xyz")
 
 
