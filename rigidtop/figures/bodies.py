@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import Any, TypeAlias, TypeVar
 
 from matplotlib.axes import Axes
 from scipy.optimize import brentq
@@ -16,6 +16,7 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 
 T = TypeVar("T")
+Facts: TypeAlias = dict[str, Any]
 
 TOP = (
     Parameter("lambda1", 0.02, "moment across the axis, about the pivot", "kg m²", above=0),
@@ -44,7 +45,7 @@ def of_top(told: Callable[..., T]) -> Callable[..., T]:
     return of_all
 
 
-def facts_of(top: SymmetricTop, **more: Any) -> dict[str, Any]:
+def facts_of(top: SymmetricTop, **more: Any) -> Facts:
     """What captions say of a top, in {top}, of how it starts, in {start}, and `more`."""
     return {
         "MgR": top.M * top.g * top.R,
@@ -68,17 +69,32 @@ def vertical(theta: float) -> bool:
     return theta in (0.0, math.pi)
 
 
-def has_phi(theta: float, phi_dot: float) -> None:
-    """Raises RigidtopError for a rate of φ where φ has no meaning."""
+def top_motion(
+    theta: float,
+    phi_dot: float,
+    omega3: float,
+    theta_dot: float = 0.0,
+    phi: float = 0.0,
+    **top: float,
+) -> TopMotion:
+    """The motion of a top by the parameters of a figure.
+
+    Raises RigidtopError for a rate of φ where φ has no meaning.
+    """
     if vertical(theta) and phi_dot:
         raise RigidtopError(
             f"at theta = {theta:g} phi has no meaning: phi_dot must be 0, not {phi_dot:g}"
         )
+    start = {"theta": theta, "phi": phi, "theta_dot": theta_dot, "phi_dot": phi_dot}
+    return HeavyTop(**top).motion(**start, omega3=omega3)
 
 
-def rates_in_words(theta: float, theta_dot: float = 0.0) -> str:
-    """θ̇ = … and φ̇ = …, for a caption; without φ̇ where φ has no meaning."""
+def facts_of_motion(motion: TopMotion, theta: float, theta_dot: float, **more: Any) -> Facts:
+    """The same, the rates at the start, in {rates}, and where θ turns, in {first} and {last}."""
+    first, last = motion.turning_points
+    rates = r"$\dot\theta = {theta_dot}$ and $\dot\phi = {phi_dot}$ rad/s"
     if vertical(theta):
         unit = " rad/s" if theta_dot else ""
-        return rf"$\dot\theta = {{theta_dot}}${unit}, where $\phi$ has no meaning"
-    return r"$\dot\theta = {theta_dot}$ and $\dot\phi = {phi_dot}$ rad/s"
+        rates = rf"$\dot\theta = {{theta_dot}}${unit}, where $\phi$ has no meaning"
+    facts = {"rates": rates, "theta_dot": theta_dot, "regime": motion.regime}
+    return facts_of(motion.body, **{**facts, "first": first, "last": last, **more})

@@ -12,22 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.ndimage import distance_transform_edt, label
 
 from rigidtop.errors import RigidtopError
+from rigidtop.figures import bodies
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.bodies import (
-    RATE,
-    SPIN,
-    THETA,
-    TOP,
-    facts_of,
-    has_phi,
-    of_top,
-    rates_in_words,
-    vertical,
-)
 from rigidtop.figures.drawing import Drawing, one
 from rigidtop.figures.space import UPRIGHT, View, circle
-from rigidtop.figures.style import Canvas, Floats, canvas
+from rigidtop.figures.style import Floats
 from rigidtop.motion.many import top_motions
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
@@ -67,26 +57,23 @@ def nutation_times(motion: TopMotion, samples: int = 2400) -> Floats:
 
 
 def _leaning(theta: float) -> None:
-    if vertical(theta):
+    if bodies.vertical(theta):
         raise RigidtopError(
             f"at theta = {theta:g} phi has no meaning, and what phi_dot does cannot be shown: "
             "give a theta between 0 and 180 degrees"
         )
 
 
-def _paths(theta: float, phi_dot: float, omega3: float, **top: float) -> list[TopMotion]:
+def _paths(theta: float, phi_dot: float, **others: float) -> list[TopMotion]:
     """φ̇ at the start positive, zero, negative; the middle of the picture faces the reader."""
     _leaning(theta)
-    body = HeavyTop(**top)
     return [
-        body.motion(theta=theta, phi=-1.25, phi_dot=rate, omega3=omega3)
-        for rate in (phi_dot, 0.0, -phi_dot)
+        bodies.top_motion(theta, rate, **others, phi=-1.25) for rate in (phi_dot, 0.0, -phi_dot)
     ]
 
 
-def _draw_paths(**values: float) -> Canvas:
-    drawn = canvas(look.TEXT, 2.7)
-    spheres, strips = drawn.subplots(2, 3, sharey="row", height_ratios=(2, 1))
+def _draw_paths(*panels: Axes, **values: float) -> None:
+    spheres, strips = panels[:3], panels[3:]
     for sphere, strip, motion in zip(spheres, strips, _paths(**values), strict=True):
         run = motion.exact(nutation_times(motion))
         draw_path(sphere, run.e3, motion.regime)
@@ -97,25 +84,27 @@ def _draw_paths(**values: float) -> Canvas:
     strips[0].set_ylabel(r"$\theta$  (degrees)")
     strips[0].margins(y=0.1)
     strips[0].invert_yaxis()
-    return drawn
 
 
 def _paths_facts(**values: float) -> dict[str, Any]:
     motions = _paths(**values)
     regimes = ", ".join(motion.regime for motion in motions)
-    return facts_of(motions[0].body, back=-values["phi_dot"], regimes=regimes)
+    return bodies.facts_of(motions[0].body, back=-values["phi_dot"], regimes=regimes)
 
-
-FIRST_RATE = Parameter(
-    "phi_dot", 1.6, r"$\dot\phi$ at the start, in turn positive, 0, negative", "rad/s"
-)
 
 PATHS = Drawing(
     "paths",
     r"The path of $\mathbf e_3$ on the sphere: waves, cusps, loops",
     "3.5.4",
-    (*TOP, THETA, FIRST_RATE, SPIN),
-    _draw_paths,
+    (
+        *bodies.TOP,
+        bodies.THETA,
+        Parameter(
+            "phi_dot", 1.6, bodies.RATE.about + ", in turn positive, 0, negative", bodies.RATE.unit
+        ),
+        bodies.SPIN,
+    ),
+    pen.panels(look.TEXT, 2.7, _draw_paths, 2, 3, sharey="row", height_ratios=(2, 1)),
     r"The path of $\mathbf e_3$ on the sphere from {start} with $\dot\theta = 0$ and "
     r"$\dot\phi = {phi_dot}$, 0 and {back} rad/s, for {top}. The circles that a path touches lie "
     r"at the turning points of $\theta$. Below: $\theta$ against $\phi$ from the start, for four "
@@ -164,29 +153,15 @@ def draw_energies(axes: Axes, motion: TopMotion, t: Floats) -> None:
     axes.legend(loc="upper center", ncols=3, handlelength=2.6, borderaxespad=0.0)
 
 
-def _start(
-    theta: float, theta_dot: float, phi_dot: float, omega3: float, **top: float
-) -> TopMotion:
-    has_phi(theta, phi_dot)
-    return HeavyTop(**top).motion(theta=theta, theta_dot=theta_dot, phi_dot=phi_dot, omega3=omega3)
-
-
-def _shown_time(motion: TopMotion) -> float:
+def _draw_motion(*panels: Axes, **values: float) -> None:
+    motion = bodies.top_motion(**values)
     period = motion.nutation_period
-    return 5 * period if math.isfinite(period) else float(nutation_times(motion, 2)[-1])
-
-
-def _draw_motion(**values: float) -> Canvas:
-    motion = _start(**values)
-    times = np.linspace(0.0, _shown_time(motion), 1201)
-    drawn = canvas(look.COLUMN, 3.2)
-    panels = drawn.subplots(3, 1, sharex=True)
+    last = 5 * period if math.isfinite(period) else float(nutation_times(motion, 2)[-1])
+    times = np.linspace(0.0, last, 1201)
     for axes, panel in zip(panels, (draw_theta, draw_phi, draw_energies), strict=True):
         panel(axes, motion, times)
         axes.set_xlim(0, times[-1])
     panels[-1].set_xlabel("$t$  (s)")
-    drawn.align_ylabels(panels)
-    return drawn
 
 
 AT_REST = ("sleeping", "hanging")
@@ -204,9 +179,9 @@ NUTATING = (
 
 
 def _motion_facts(theta: float, theta_dot: float, **others: float) -> dict[str, Any]:
-    motion = _start(theta=theta, theta_dot=theta_dot, **others)
-    first, last = np.degrees(motion.turning_points)
+    motion = bodies.top_motion(theta, theta_dot=theta_dot, **others)
     rests = motion.regime in AT_REST
+    first, last = np.degrees(motion.turning_points)
     course = (
         r"$\theta$ runs between ${first}^\circ$ and ${last}^\circ$ (dotted), there and back in "
         r"{period} s; dashed, $\phi$ at its mean rate, {mean} rad/s."
@@ -218,13 +193,13 @@ def _motion_facts(theta: float, theta_dot: float, **others: float) -> dict[str, 
             r"$\theta$ stays ${first}^\circ$; $\phi$ is drawn at the rate of a top nearby, "
             "{mean} rad/s."
         )
-    return facts_of(
-        motion.body,
-        rates=rates_in_words(theta, theta_dot),
-        regime=motion.regime,
-        course=course,
+    return bodies.facts_of_motion(
+        motion,
+        theta,
+        theta_dot,
         first=first,
         last=last,
+        course=course,
         mean=motion.mean_precession,
         period=motion.nutation_period,
         seen=AT_ONE_TILT if rests or motion.regime == "steady" else NUTATING,
@@ -236,22 +211,24 @@ MOTION = Drawing(
     "motion",
     r"$\theta(t)$, $\phi(t)$ and the energies of a top",
     "",
-    (*TOP, THETA, Parameter("theta_dot", 0.0, r"$\dot\theta$ at the start", "rad/s"), RATE, SPIN),
-    _draw_motion,
+    (
+        *bodies.TOP,
+        bodies.THETA,
+        Parameter("theta_dot", 0.0, r"$\dot\theta$ at the start", "rad/s"),
+        bodies.RATE,
+        bodies.SPIN,
+    ),
+    pen.panels(look.COLUMN, 3.2, _draw_motion, 3, sharex=True),
     "A top with {top} from {start}, {rates} ({regime}): {course} $T$ and $E$ are without the "
     r"constant $p_\psi^2/(2\lambda_3)$.",
     "{seen}",
     _motion_facts,
-    motions=one(_start),
+    motions=one(bodies.top_motion),
 )
 
 # --- A map of regimes ----------------------------------------------------------------------------
 
 COUNTS = 241, 201
-AREAS = "waves", "loops"
-"""Regimes that fill areas, of which the loops are hatched; the others are lines and points."""
-
-
 LINES: Mapping[str, dict[str, Any]] = {
     "steady": {"color": look.SECOND, "lw": 1.6},
     "cusps": {"lw": 1.0, "ls": look.DASHED},  # φ̇ vanishes at a turning point
@@ -259,8 +236,8 @@ LINES: Mapping[str, dict[str, Any]] = {
 }
 
 
-def _line(kind: str, spins: ArrayLike, rates: ArrayLike) -> pen.Curve:
-    return pen.Curve((spins, rates), label=f"_{kind}", **LINES[kind])
+def _line(kind: str, spins: ArrayLike, rates: ArrayLike, hidden: str = "_") -> pen.Curve:
+    return pen.Curve((spins, rates), label=hidden + kind, **LINES[kind])
 
 
 def regime_map(top: HeavyTop, theta: float, spins: Floats, rates: Floats) -> NDArray[np.str_]:
@@ -297,27 +274,23 @@ def draw_regimes(axes: Axes, top: HeavyTop, theta: float, omega3: float, phi_dot
         axes.contourf(spins, rates, loops.astype(float), **hatched)
     weight, ratio = top.M * top.g * top.R, top.lambda3 / top.lambda1
     whole = np.linspace(0.0, omega3, 2)
-    lines = [pen.Curve(([], []), label=kind, **style) for kind, style in LINES.items()]
-    lines += [
-        _line("cusps", whole, 0 * whole),
-        _line("vertical", whole, -ratio * whole / (1 - math.cos(theta))),
-    ]
+    parts: list[pen.Part] = [_line(kind, [], [], "") for kind in LINES]
+    parts.append(_line("cusps", whole, 0 * whole))
+    parts.append(_line("vertical", whole, -ratio * whole / (1 - math.cos(theta))))
     least = spin_to_the_upright(top, theta)
     if least < omega3:
         fast = np.linspace(least, omega3, 200)[1:]
-        lines += [
-            _line("cusps", fast, 2 * weight / (top.lambda3 * fast)),
-            _line("vertical", fast, ratio * fast / (1 + math.cos(theta))),
-        ]
-    lines += _steady_lines(top, theta, omega3, phi_dot)
-    names = [
+        parts.append(_line("cusps", fast, 2 * weight / (top.lambda3 * fast)))
+        parts.append(_line("vertical", fast, ratio * fast / (1 + math.cos(theta))))
+    parts += _steady_lines(top, theta, omega3, phi_dot)
+    parts += [
         pen.Words((spins[column], rates[row]), name, ha="center", va="center", z=3)
-        for name in AREAS
+        for name in ("waves", "loops")
         for row, column in _middles(regimes == name, rates)
     ]
     limits = {"xlim": (0, omega3), "ylim": (-phi_dot, phi_dot)}
     across, up = r"$\omega_3$  (rad/s)", r"$\dot\phi$ at the start  (rad/s)"
-    pen.chart(axes, [*lines, *names], across, up, **limits)
+    pen.chart(axes, parts, across, up, **limits)
     pen.legend_above(axes, ncols=3)
 
 
@@ -351,7 +324,7 @@ def _regimes_facts(body: HeavyTop, theta: float, omega3: float, phi_dot: float) 
     least, reached = body.smallest_spin(theta), spin_to_the_upright(body, theta)
     points = np.linspace(0.05, 1, 20) * omega3, np.linspace(-0.99, 0.99, 20) * phi_dot
     upright = " The axis comes to the upright, on the upper dotted line, from {reached} rad/s on."
-    return facts_of(
+    return bodies.facts_of(
         body,
         least=least,
         reached=reached,
@@ -366,12 +339,12 @@ REGIMES = Drawing(
     r"A map of regimes over $\omega_3$ and $\dot\phi$",
     "3.5.4",
     (
-        *TOP,
-        THETA,
+        *bodies.TOP,
+        bodies.THETA,
         Parameter("omega3", 60.0, r"largest $\omega_3$", "rad/s", above=0),
         Parameter("phi_dot", 30.0, r"largest $|\dot\phi|$", "rad/s", above=0),
     ),
-    pen.alone(2.8, of_top(draw_regimes)),
+    pen.alone(2.8, bodies.of_top(draw_regimes)),
     r"What a top with {top} does that starts at $\theta = {theta:°}$ with $\dot\theta = 0$, for "
     r"each $\omega_3$ and $\dot\phi$: waves, or loops (hatched), with cusps between (dashed), or a "
     "way through the vertical (dotted).{upright} Solid: steady precession.{begins}",
@@ -379,5 +352,5 @@ REGIMES = Drawing(
     "loops, the latter {loops:%} per cent of it, are parted by dashed lines of cusps and dotted "
     "lines through the vertical. A solid curve of steady precession begins at the least spin, "
     "{least} radians per second, and splits into the slow and the fast one.",
-    of_top(_regimes_facts),
+    bodies.of_top(_regimes_facts),
 )

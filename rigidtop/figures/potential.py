@@ -11,21 +11,11 @@ from numpy.typing import ArrayLike
 
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.bodies import (
-    RATE,
-    SPIN,
-    THETA,
-    TOP,
-    facts_of,
-    has_phi,
-    rates_in_words,
-    vertical,
-)
+from rigidtop.figures.bodies import RATE, SPIN, THETA, TOP, facts_of_motion, top_motion, vertical
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.style import Floats
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.rigid import SymmetricTop
-from rigidtop.motion.top import HeavyTop
 
 NEAREST = 1e-4
 """To the vertical that the curve is drawn (rad); there it may be infinite."""
@@ -45,15 +35,12 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
     energy = float(start.energy[0]) - p_psi**2 / (2 * top.lambda3)
     turns = np.clip(motion.turning_points, 0.0, math.pi)
     span = max(float(turns[1] - turns[0]), 0.02)
-    shown = (
-        max(float(turns[0]) - 0.6 * span, NEAREST),
-        min(float(turns[1]) + 0.6 * span, math.pi - NEAREST),
-    )
-    angles = np.linspace(*shown, 1201)
+    shown = np.clip(turns + 0.6 * span * np.array([-1, 1]), NEAREST, math.pi - NEAREST)
+    angles = np.linspace(shown[0], shown[1], 1201)
     potential = effective_potential(top, angles, p_phi, p_psi)
     low = int(np.argmin(potential))
     depth = max(energy - float(potential[low]), 1e-3 * top.M * top.g * top.R)
-    bottom = float(potential[low]) - 1.0 * depth
+    bottom = float(potential[low]) - depth
     inside = np.clip(np.linspace(turns[0], turns[1], 300), *shown)
     below = np.minimum(effective_potential(top, inside, p_phi, p_psi), energy)
     at = np.degrees(turns)
@@ -74,17 +61,10 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
     pen.chart(axes, parts, r"$\theta$  (degrees)", up, **limits)
 
 
-def _motion(theta: float, phi_dot: float, omega3: float, **top: float) -> TopMotion:
-    has_phi(theta, phi_dot)
-    return HeavyTop(**top).motion(theta=theta, phi_dot=phi_dot, omega3=omega3)
-
-
 def _facts(theta: float, phi_dot: float, **others: float) -> dict[str, Any]:
-    motion = _motion(theta=theta, phi_dot=phi_dot, **others)
-    first, last = motion.turning_points
+    facts = facts_of_motion(top_motion(theta, phi_dot, **others), theta, 0.0)
     at_rest = phi_dot == 0 and not vertical(theta)
-    rates = r"$\dot\phi = \dot\theta = 0$" if at_rest else rates_in_words(theta)
-    return facts_of(motion.body, first=first, last=last, rates=rates, theta_dot=0.0)
+    return facts | ({"rates": r"$\dot\phi = \dot\theta = 0$"} if at_rest else {})
 
 
 EFFECTIVE_POTENTIAL = Drawing(
@@ -92,7 +72,7 @@ EFFECTIVE_POTENTIAL = Drawing(
     "The effective potential with the turning points",
     "3.5.4",
     (*TOP, THETA, RATE, SPIN),
-    pen.alone(2.5, lambda axes, **values: draw_effective_potential(axes, _motion(**values))),
+    pen.alone(2.5, lambda axes, **values: draw_effective_potential(axes, top_motion(**values))),
     "The effective potential $U$ and the energy $E$, both less the constant "
     r"$p_\psi^2/(2\lambda_3)$, of a top with {top} that starts at {start} with {rates}. $\theta$ "
     "runs between the turning points, {first:°} and {last:°} (dotted); the square marks the steady "

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,23 +18,13 @@ from rigidtop.derivations.exercises.toy_top import (
     top_from_the_toy_box,
 )
 from rigidtop.errors import NoSteadyPrecession
+from rigidtop.figures import bodies, solids
 from rigidtop.figures import picture as pen
-from rigidtop.figures import solids
 from rigidtop.figures import style as look
-from rigidtop.figures.bodies import (
-    RATE,
-    SPIN,
-    THETA,
-    TOP,
-    facts_of,
-    has_phi,
-    rates_in_words,
-    time_to,
-)
 from rigidtop.figures.drawing import Drawing, Film, film, one
 from rigidtop.figures.nutation import nutation_times
 from rigidtop.figures.solved import answers
-from rigidtop.figures.space import UPRIGHT, View, arc, bow, circle, unit
+from rigidtop.figures.space import UPRIGHT, View, arc, bow, circle, total, unit
 from rigidtop.figures.style import Canvas, Floats, canvas
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.top import HeavyTop
@@ -54,9 +45,8 @@ def torque(motion: TopMotion) -> Floats:
 
 def direction_of_torque(motion: TopMotion) -> Floats:
     """N as a unit vector; zero for a top that is upright or hangs, to rounding."""
-    found, top = torque(motion), motion.body
-    vertical = float(np.linalg.norm(found)) <= 1e-12 * top.M * top.g * top.R
-    return np.zeros(3) if vertical else unit(found)
+    top = motion.body
+    return unit(total(torque(motion)[None], top.M * top.g * top.R))
 
 
 def draw_torque(axes: Axes, motion: TopMotion) -> None:
@@ -122,7 +112,7 @@ def _facts_torque(**values: float) -> dict[str, Any]:
         "right angles to e3 and to z, and so does the change of L at its tip, along a dashed "
         "circle around z."
     )
-    return facts_of(
+    return bodies.facts_of(
         motion.body,
         where=where if np.any(along) else "on the vertical there is none",
         size=float(np.linalg.norm(torque(motion))),
@@ -138,7 +128,7 @@ TORQUE_ARROWS = Drawing(
     r"The torque of the weight, $\mathbf L$ and $\boldsymbol\omega$: into the paper",
     "3.5.2",
     (
-        *TOP,
+        *bodies.TOP,
         Parameter("theta", math.pi / 4, r"$\theta$", "rad", least=0, most=math.pi),
         Parameter("omega3", 30.0, r"$\omega_3$", "rad/s", above=0),
     ),
@@ -188,7 +178,7 @@ def draw_top(axes: Axes, motion: TopMotion, t: float, since: Floats) -> None:
         pen.Arrow(1.2 * unit(run.angular_momentum[0]), look.L_VEC, look.MOMENTUM, 1.3),
         pen.Arrow(1.05 * unit(run.omega_space[0]), look.OMEGA_VEC, look.OMEGA, 1.5),
     ]
-    pen.draw(axes, parts, VIEW_SPINNING)
+    _put(axes, motion, parts)
 
 
 def draw_stroboscopic(axes: Axes, motion: TopMotion, times: Floats) -> None:
@@ -200,12 +190,10 @@ def draw_stroboscopic(axes: Axes, motion: TopMotion, times: Floats) -> None:
         tip, start = TRAIL * e3, BODY_SPINNING[0] * e3
         number = pen.Arrow(tip, rf"${k + 1}$", look.AXIS, 1.2, start, (0, 10), z + 0.4)
         parts += [*solids.cone(e3, *BODY_SPINNING, mark, z), number]
-    pen.draw(axes, parts, VIEW_SPINNING)
+    _put(axes, motion, parts)
 
 
-def _motion_spinning(theta: float, phi_dot: float, omega3: float, **top: float) -> TopMotion:
-    has_phi(theta, phi_dot)
-    return HeavyTop(**top).motion(theta=theta, phi=-1.35, phi_dot=phi_dot, omega3=omega3)
+_motion_spinning = partial(bodies.top_motion, phi=-1.35)
 
 
 def _times(motion: TopMotion, samples: int) -> Floats:
@@ -215,19 +203,14 @@ def _times(motion: TopMotion, samples: int) -> Floats:
     return np.linspace(0.0, last * min(1.0, 2.7 / turned) if turned else last, samples)
 
 
-def _paper(axes: Axes, motion: TopMotion) -> None:
+def _put(axes: Axes, motion: TopMotion, parts: list[pen.Part]) -> None:
     low = min(-0.32, 1.5 * math.cos(motion.turning_points[1]) - 0.3)
-    pen.paper(axes, (-1.32, 1.32), (low, 1.72))
+    pen.picture(axes, parts, (-1.32, 1.32), (low, 1.72), VIEW_SPINNING)
 
 
-def _draw_spinning(**values: float) -> Canvas:
+def _draw_spinning(axes: Axes, **values: float) -> None:
     motion = _motion_spinning(**values)
-
-    def fill(share: float, axes: Axes) -> None:
-        draw_stroboscopic(axes, motion, _times(motion, 1200))
-        _paper(axes, motion)
-
-    return film(look.COLUMN, 2.9, fill).canvas
+    draw_stroboscopic(axes, motion, _times(motion, 1200))
 
 
 def _film(**values: float) -> Film:
@@ -240,32 +223,22 @@ def _film(**values: float) -> Film:
     def show(share: float, axes: Axes) -> None:
         now = share * last
         draw_top(axes, motion, now, np.linspace(min(now - 1e-9 * last, 0.0), now, 1500))
-        _paper(axes, motion)
 
     return film(look.COLUMN, 2.9, show)
 
 
 def _facts_spinning(theta: float, **others: float) -> dict[str, Any]:
-    motion = _motion_spinning(theta=theta, **others)
-    first, last = motion.turning_points
-    return facts_of(
-        motion.body,
-        rates=rates_in_words(theta),
-        theta_dot=0.0,
-        regime=motion.regime,
-        flashes=FLASHES,
-        apart=float(_times(motion, 2)[-1]) / (FLASHES - 1),
-        first=first,
-        last=last,
-    )
+    motion = _motion_spinning(theta, **others)
+    apart = float(_times(motion, 2)[-1]) / (FLASHES - 1)
+    return bodies.facts_of_motion(motion, theta, 0.0, flashes=FLASHES, apart=apart)
 
 
 SPINNING_TOP = Drawing(
     "top",
     "A top going round, in flashes of light",
     "",
-    (*TOP, replace(THETA, default=0.85), RATE, SPIN),
-    _draw_spinning,
+    (*bodies.TOP, replace(bodies.THETA, default=0.85), bodies.RATE, bodies.SPIN),
+    pen.abreast(2.9, _draw_spinning, width=look.COLUMN),
     "A top with {top} from {start}, {rates}, and the path of its axis ({regime}); the line on the "
     r"lid is $\mathbf e_1$. In {flashes} flashes of light, {apart} s apart, where it does not "
     "move.",
@@ -325,21 +298,15 @@ def draw_toy_top(
 
 def touches(motion: TopMotion, touching: float) -> float | None:
     """When a top that is let go leans by `touching` (rad) for the first time, if it does (s)."""
-    return None if motion.turning_points[1] < touching else time_to(motion, touching)
-
-
-def time_shown(motion: TopMotion, touching: float) -> float:
-    """For one turn of the axis (s), or until the rim touches."""
-    end = touches(motion, touching)
-    return 2 * math.pi / abs(motion.mean_precession) if end is None else end
+    return None if motion.turning_points[1] < touching else bodies.time_to(motion, touching)
 
 
 def draw_path_from_above(axes: Axes, motion: TopMotion, touching: float) -> None:
-    """Where e₃ leans: θ as the distance from the middle, φ as the angle.
+    """Where e₃ leans, for one turn or until the rim touches: θ outwards, φ as the angle.
 
     Dotted is the tilt at which the rim touches the table.
     """
-    last = time_shown(motion, touching)
+    last = touches(motion, touching) or 2 * math.pi / abs(motion.mean_precession)
     each, most = SAMPLES
     count = min(1001 + each * int(min(last / motion.nutation_period, most)), most)
     run = motion.exact(np.linspace(0.0, last, count))
