@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,7 @@ from rigidtop.motion.top import HeavyTop
 from rigidtop.parameters import Parameter
 
 TILT = r"$\theta$  (degrees)"
+LET_GO = Parameter("theta", 0.1, r"$\theta$ where it is let go", "rad", least=1e-6, most=1.57)
 ALL_TILTS: Mapping[str, Any] = {"ylim": (0, 190), "yticks": [0, 45, 90, 135, 180]}
 
 # --- The toppling top ----------------------------------------------------------------------------
@@ -60,11 +62,7 @@ TOPPLING = Drawing(
     "toppling",
     r"The toppling top: $\theta(t)$ without rotation",
     "",
-    (
-        TOP[0],
-        *TOP[2:],
-        Parameter("theta", 0.1, r"$\theta$ where it is let go", "rad", least=1e-6, most=1.57),
-    ),
+    (TOP[0], *TOP[2:], LET_GO),
     pen.alone(2.3, lambda axes, **values: draw_toppling(axes, _toppling(**values))),
     r"$\theta$ of a top with $\lambda_1 = {lambda1}$ kg m² and $MgR = {MgR}$ J that is let go "
     r"without rotation at $\theta = {theta:°}$: it lies after {fall} s. Dashed: what it would do "
@@ -120,9 +118,7 @@ SLEEPING = Drawing(
     "",
     (
         *TOP,
-        Parameter(
-            "theta", math.radians(2), r"$\theta$ where it is let go", "rad", least=1e-6, most=0.5
-        ),
+        replace(LET_GO, default=math.radians(2), most=0.5),
         Parameter("omega3", 22.0, r"$\omega_3$ that is marked", "rad/s", least=0),
     ),
     pen.alone(2.3, of_top(draw_sleeping)),

@@ -24,7 +24,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
-from rigidtop.figures.style import Canvas, Floats, canvas
+from rigidtop.figures.style import Floats
 from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 
@@ -80,33 +80,21 @@ def _risen(until: float, **values: float) -> SlidingTrajectory:
             break
     # Where it sticks and slips by turns there is no more to see, and each turn takes its time.
     shown = last if rest is None or slips_again(found) else 1.5 * rest
-    return motion.integrate(
-        np.linspace(0.0, min([shown, *_end_of(found)]), SAMPLES), rtol=1e-9, atol=1e-11
-    )
+    end = min(shown, found.ended.time) if found.ended else shown
+    return motion.integrate(np.linspace(0.0, end, SAMPLES), rtol=1e-9, atol=1e-11)
 
 
-def _end_of(path: SlidingTrajectory) -> list[float]:
-    return [path.ended.time] if path.ended else []
-
-
-def draw_tilt(axes: Axes, path: SlidingTrajectory, until: float) -> None:
-    """θ(t) (degrees), and when it has come down to `until` (rad)."""
-    parts: list[pen.Part] = [_tilt(path)]
-    then = crossing(path, until)
-    if then is not None:
-        parts.append(_time(then, until, "_until", (5, 3)))
-    pen.chart(axes, parts, "$t$  (s)", r"$\theta$  (degrees)", ylim=(0, None))
-
-
-def _tilt(path: SlidingTrajectory) -> pen.Curve:
-    return pen.Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")
-
-
-def _time(then: float, tilt: float, label: str, shift: pen.Shift) -> pen.Mark:
-    """When θ comes to a tilt (rad), with the number on the side to which it is shifted."""
+def tilt_in_time(
+    path: SlidingTrajectory, tilt: float, label: str, shift: pen.Shift
+) -> list[pen.Part]:
+    """θ(t) (degrees), and when it comes to a tilt (rad), with the number beside it."""
+    theta = pen.Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")
+    then = crossing(path, tilt)
+    if then is None:
+        return [theta]
     words, ha = f"{then:.3g} s", "left" if shift[0] > 0 else "right"
     name: Any = {"words": words, "shift": shift, "ha": ha, "ink": look.INK}
-    return pen.Mark((then, math.degrees(tilt)), look.SECOND, 4, label=label, **name)
+    return [theta, pen.Mark((then, math.degrees(tilt)), look.SECOND, 4, label=label, **name)]
 
 
 def gains(path: SlidingTrajectory) -> dict[str, Floats]:
@@ -124,8 +112,7 @@ def gains(path: SlidingTrajectory) -> dict[str, Floats]:
 def spent(path: SlidingTrajectory) -> Floats:
     """What ½λ₃ω₃² has lost since t = 0 (J)."""
     squares = path.omega[:, 2] ** 2
-    made: Floats = path.motion.body.lambda3 * (squares[0] - squares) / 2
-    return made
+    return np.asarray(path.motion.body.lambda3 * (squares[0] - squares) / 2)
 
 
 FILLS = {"heat": look.SECOND, "weight": look.FIRST, "other motion": look.THIRD}
@@ -147,12 +134,6 @@ def draw_budget(axes: Axes, path: SlidingTrajectory) -> None:
     pen.chart(axes, [*bands, loss], "$t$  (s)", "energy  (mJ)")
     low = min(0.0, axes.get_ylim()[0]) if below.min() < 0 else 0.0
     axes.set(ylim=(low, None))
-
-
-def draw_slip(axes: Axes, path: SlidingTrajectory) -> None:
-    """|v(t)| of the contact over the table (m/s)."""
-    slip = pen.Curve((path.t, np.hypot(*path.slip.T)), look.FIRST, 1.3, label="_slip")
-    pen.chart(axes, [slip], "$t$  (s)", "slip  (m/s)", ylim=(0, None))
 
 
 def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
@@ -180,13 +161,15 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
     axes.set_aspect("equal", adjustable="datalim")
 
 
-def _draw_rising(until: float, **values: float) -> Canvas:
+def _draw_rising(
+    tilt: Axes, energy: Axes, slip: Axes, track: Axes, until: float, **values: float
+) -> None:
     path = _risen(until, **values)
-    drawn = canvas(look.TEXT, 2.6)
-    (tilt, energy), (slip, track) = drawn.subplots(2, 2)
-    draw_tilt(tilt, path, until)
+    theta = tilt_in_time(path, until, "_until", (5, 3))
+    pen.chart(tilt, theta, "$t$  (s)", r"$\theta$  (degrees)", ylim=(0, None))
     draw_budget(energy, path)
-    draw_slip(slip, path)
+    speed = pen.Curve((path.t, np.hypot(*path.slip.T)), look.FIRST, 1.3, label="_slip")
+    pen.chart(slip, [speed], "$t$  (s)", "slip  (m/s)", ylim=(0, None))
     draw_track(track, path)
     rest = stands(path)
     for axes in (tilt, energy, slip):
@@ -197,7 +180,6 @@ def _draw_rising(until: float, **values: float) -> Canvas:
         pen.draw(slip, [pen.Words((rest, slip.get_ylim()[1]), "slip ends", (4, -2), va="top")])
     room = {"handlelength": 1.6, "handletextpad": 0.4, "columnspacing": 1.0}
     pen.legend_above(energy, ncols=4, fontsize=look.SMALL, **room)
-    return drawn
 
 
 def _rising_facts(until: float, **values: float) -> dict[str, Any]:
@@ -234,7 +216,7 @@ RISING = Drawing(
     r"Friction raises a fast top: $\theta$, energy, slip and path",
     "3.5.4",
     rising_top.parameters,
-    _draw_rising,
+    pen.panels(look.TEXT, 2.6, _draw_rising, 2, 2),
     r"A top with {top}, a round tip of radius {tip} m and the friction $\mu = {mu}$, from "
     r"$\theta = {theta:°}$, $\dot\theta = 0$, $\dot\phi = {phi_dot}$ rad/s (steady if nothing "
     r"rubs) and $\omega_3 = {omega3}$ rad/s: $\theta$ {reached}. It slips, at first at {slip} m/s, "
@@ -268,12 +250,9 @@ def _woken(
             "larger drag3 or a smaller omega3"
         )
     pivot = about_tip(**body)
-    motion = SlidingTop(**body, mu=HELD, drag3=drag3).motion(
-        theta=disturbance,
-        phi_dot=pivot.lambda3 * omega3 / (2 * pivot.lambda1),
-        omega3=omega3,
-        slip=(0.0, 0.0),
-    )
+    start = {"theta": disturbance, "phi_dot": pivot.lambda3 * omega3 / (2 * pivot.lambda1)}
+    top = SlidingTop(**body, mu=HELD, drag3=drag3)
+    motion = top.motion(**start, omega3=omega3, slip=(0.0, 0.0))
     # The tilt is known relative to what it was at first.
     times = np.linspace(0.0, last, SAMPLES)  # later ones than its fall are left out
     return motion.integrate(times, rtol=1e-9, atol=1e-6 * disturbance)
@@ -289,12 +268,11 @@ def draw_waking(
     seen = crossing(path, visible)
     asleep = float(np.interp(-sleeping, -path.omega[:, 2], path.t))
     upright: list[pen.Part] = [pen.Rule(x=asleep, label="_asleep")]
-    parts: list[pen.Part] = [_tilt(path), pen.Mark((path.t[0], math.degrees(path.theta[0])))]
     if seen is not None:
         upright.append(pen.Rule(x=seen, label="_seen"))
-        parts.append(_time(seen, visible, "_visible", (-5, 2)))
     limits = {"xlim": (0, path.t[-1])}
-    parts += upright
+    theta = tilt_in_time(path, visible, "_visible", (-5, 2))
+    parts = [*theta, pen.Mark((path.t[0], math.degrees(path.theta[0]))), *upright]
     pen.chart(tilt, parts, "", r"$\theta$  (degrees)", yscale="log", **limits)
     omega3 = pen.Curve((path.t, path.omega[:, 2]), look.FIRST, 1.3, label="_omega3")
     # Beside the curve, which is above this line at first and below it in the end.
@@ -309,14 +287,9 @@ def draw_waking(
     spin.set_ylim(low, max(high, sleeping + 0.3 * (high - low)))
 
 
-def _draw_waking(**values: float) -> Canvas:
-    path = _woken(**values)
-    drawn = canvas(look.COLUMN, 2.8)
-    panels = drawn.subplots(2, 1, sharex=True)
+def _draw_waking(tilt: Axes, spin: Axes, **values: float) -> None:
     sleeping = about_tip(**{p.name: values[p.name] for p in ABOUT_CENTRE}).sleeping_spin()
-    draw_waking(panels[0], panels[1], path, values["visible"], sleeping)
-    drawn.align_ylabels(panels)
-    return drawn
+    draw_waking(tilt, spin, _woken(**values), values["visible"], sleeping)
 
 
 def _waking_facts(**values: float) -> dict[str, Any]:
@@ -343,7 +316,7 @@ WAKING = Drawing(
     r"The air wakes a sleeping top: $\theta(t)$ and $\omega_3(t)$",
     "",
     waking_top.parameters,
-    _draw_waking,
+    pen.panels(look.COLUMN, 2.8, _draw_waking, 2, sharex=True),
     r"A top with {top} sleeps on a sharp tip that friction holds, from $\omega_3 = {omega3}$ "
     r"rad/s, $\theta = {disturbance:°}$, $\dot\theta = 0$ and $\dot\phi = {phi_dot}$ rad/s, which "
     r"is $\lambda_3\omega_3/2$ over $\lambda_1 + MR^2$. The torque of the air, $c_3 = {drag3}$ J s "

@@ -148,8 +148,7 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
     def errors(at: Floats) -> Floats:
         """Shape (order, root, N)."""
         exact = np.array([top.steady_precession(theta, spin) for spin in at]).T
-        made: Floats = np.abs(large_spin_formulas(top, theta, at) / exact - 1)
-        return made
+        return np.asarray(np.abs(large_spin_formulas(top, theta, at) / exact - 1))
 
     (lines, dots), here = (errors(spins), errors(marked)), weakness(top, theta, omega3)
     parts: list[pen.Part] = [
@@ -218,23 +217,14 @@ def bound_of_angle(motion: TopMotion) -> float:
     Its tangent is 2ε₀|1 − λ₃/λ₁| sin θ, with ε₀ = λ₁MgR/(λ₃ω₃)² and sin θ at its largest.
     """
     top = motion.body
-    across = 2 * top.M * top.g * top.R * largest_sine(motion) / (top.lambda3 * motion.omega[2])
+    sine = math.sin(float(np.clip(math.pi / 2, *motion.turning_points)))
+    across = 2 * top.M * top.g * top.R * sine / (top.lambda3 * motion.omega[2])
     return math.atan(abs(top.lambda1 - top.lambda3) * across / (top.lambda3 * motion.omega[2]))
-
-
-def largest_sine(motion: TopMotion) -> float:
-    """The largest sin θ between the turning points."""
-    return math.sin(float(np.clip(math.pi / 2, *motion.turning_points)))
 
 
 def _widest_across(motion: TopMotion) -> float:
     """ω across e₃ (rad/s) for which the angle between L and ω is largest: √(λ₃/λ₁)|ω₃|."""
     return math.sqrt(motion.body.lambda3 / motion.body.lambda1) * abs(motion.omega[2])
-
-
-def largest_angle(motion: TopMotion) -> float:
-    """The largest angle between L and ω (rad) of a top that is let go with ω along e₃."""
-    return float(parallel.largest_angle(motion.body, motion.turning_points[0], motion.omega[2]))
 
 
 def widest_between(motion: TopMotion) -> bool:
@@ -283,7 +273,7 @@ def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
 
 def _parallel_facts(body: HeavyTop, theta: float, omega3: float) -> dict[str, Any]:
     motion = body.motion(theta=theta, omega3=omega3)
-    largest = largest_angle(motion)
+    largest = float(parallel.largest_angle(body, motion.turning_points[0], omega3))
     between = widest_between(motion)
     rises = (
         f"goes from zero up and comes down again, {'twice' if between else 'once'} in every "

@@ -25,7 +25,7 @@ from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing
 from rigidtop.figures.solved import answers
 from rigidtop.figures.space import UPRIGHT, View, arc, circle, ring, unit
-from rigidtop.figures.style import Canvas, Floats, canvas, in_math
+from rigidtop.figures.style import Floats, in_math
 from rigidtop.figures.tops import torque
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.rigid import SymmetricTop
@@ -36,6 +36,7 @@ from rigidtop.motion.top import HeavyTop
 
 def steady(top: HeavyTop, theta: float, omega3: float) -> TopMotion:
     """The slow steady precession, with e₃ leaning to the right in the yz plane."""
+    spinning(omega3)
     rate, _ = top.steady_precession(theta, omega3)
     return top.motion(theta=theta, phi=math.pi / 2, phi_dot=rate, omega3=omega3)
 
@@ -53,7 +54,7 @@ def facts_of_axle(motion: TopMotion) -> dict[str, Any]:
     }
 
 
-@dataclass(frozen=True)
+@dataclass
 class Rotor:
     """The start of a steady precession, seen from a `view`; the rotor has a `radius` (m).
 
@@ -64,30 +65,13 @@ class Rotor:
     radius: float
     view: View
 
-    @property
-    def size(self) -> float:
-        """The distance of the farthest point (m)."""
-        return math.hypot(self.motion.body.R, self.radius)
-
-    @property
-    def arm(self) -> float:
-        """R to scale."""
-        return self.motion.body.R / self.size
-
-    @property
-    def half(self) -> float:
-        """The radius to scale."""
-        return self.radius / self.size
-
-    @property
-    def e3(self) -> Floats:
-        """Along the axle (3,)."""
-        return unit(self.motion.start().e3[0])
-
-    @property
-    def rate(self) -> float:
-        """Ω, rad/s."""
-        return float(self.motion.start().phi_dot[0])
+    def __post_init__(self) -> None:
+        """Its size (m), arm and half are the distance of the farthest point, and R and the radius
+        to scale; e3 is along the axle, and the rate Ω in rad/s."""
+        start, arm = self.motion.start(), self.motion.body.R
+        self.size = math.hypot(arm, self.radius)
+        self.arm, self.half = arm / self.size, self.radius / self.size
+        self.e3, self.rate = unit(start.e3[0]), float(start.phi_dot[0])
 
     def level(self, side: Floats) -> float:
         """The order of drawing of what lies on this side of it: behind it, or before it."""
@@ -212,26 +196,19 @@ def draw_simple_and_exact(
     axes.legend(loc="upper right", handlelength=2.2, borderaxespad=0.1)
 
 
-def _motion_gyroscope(
-    M: float, radius: float, R: float, g: float, theta: float, omega3: float
-) -> TopMotion:
-    spinning(omega3)
-    return steady(disc_on_axle(M, radius, R, g), theta, omega3)
+def _motion_gyroscope(theta: float, omega3: float, **body: float) -> TopMotion:
+    return steady(disc_on_axle(**body), theta, omega3)
 
 
-def _draw_gyroscope(tolerance: float, **values: float) -> Canvas:
-    drawn = canvas(look.TEXT, 2.2)
+def _draw_gyroscope(picture: Axes, chart: Axes, tolerance: float, **values: float) -> None:
     motion = _motion_gyroscope(**values)
-    picture, chart = drawn.subplots(1, 2)
     draw_gyroscope(picture, motion, values["radius"])
     draw_simple_and_exact(chart, motion.body, values["theta"], values["omega3"], tolerance)
-    return drawn
 
 
 def _facts_gyroscope(tolerance: float, **values: float) -> dict[str, Any]:
-    facts = answers(gyroscope, tolerance=tolerance, **values) | facts_of_axle(
-        _motion_gyroscope(**values)
-    )
+    facts = answers(gyroscope, tolerance=tolerance, **values)
+    facts |= facts_of_axle(_motion_gyroscope(**values))
     good = r"off by no more than {tolerance:%} % from $|\omega_3| = {spin_needed}$ rad/s on"
     least = "Below {smallest_spin} rad/s it cannot go round steadily."
     if isinstance(facts["smallest_spin"], str):
@@ -249,7 +226,7 @@ GYROSCOPE = Drawing(
     r"The gyroscope: torque, $L$ and precession; $\Omega$ against $\omega_3$",
     "",
     gyroscope.parameters,
-    _draw_gyroscope,
+    pen.panels(look.TEXT, 2.2, _draw_gyroscope, 1, 2),
     "A gyroscope, a disc of {M} kg and radius {radius} m at $R = {R}$ m from the end $O$ of its "
     r"axle, at $\theta = {theta:°}$ and $\omega_3 = {omega3}$ rad/s, with $g = {g}$ m/s²: "
     "$L = {L}$ J s, and the torque about $O$ of {N} N m turns it {direction}, as seen from above, "
@@ -319,9 +296,8 @@ def _sense(upper: Floats, rate: float) -> list[pen.Part]:
     return [pen.Turning(middle, UPRIGHT, 0.17, rate, words, left=True, z=3.5), *beside]
 
 
-def _motion_bicycle_wheel(M: float, radius: float, R: float, g: float, omega3: float) -> TopMotion:
-    spinning(omega3)
-    return steady(hoop_on_axle(M, radius, R, g), math.pi / 2, omega3)
+def _motion_bicycle_wheel(omega3: float, **body: float) -> TopMotion:
+    return steady(hoop_on_axle(**body), math.pi / 2, omega3)
 
 
 def _draw_bicycle_wheel(axes: Axes, cord: float, **values: float) -> None:
@@ -329,9 +305,8 @@ def _draw_bicycle_wheel(axes: Axes, cord: float, **values: float) -> None:
 
 
 def _facts_bicycle_wheel(cord: float, **values: float) -> dict[str, Any]:
-    return answers(bicycle_wheel, cord=cord, **values) | facts_of_axle(
-        _motion_bicycle_wheel(**values)
-    )
+    facts = answers(bicycle_wheel, cord=cord, **values)
+    return facts | facts_of_axle(_motion_bicycle_wheel(**values))
 
 
 BICYCLE_WHEEL = Drawing(

@@ -47,20 +47,17 @@ def thrown(theta: float, radius: float, thickness: float, omega3: float) -> Moti
     attitude = from_euler_angles(theta, math.pi / 2, -math.pi / 2)
     # ω is the wobble about L, which is upright, and ψ̇ about e₃.
     across = attitude.inv().apply(wobble * UPRIGHT)
-    made: Motion = body.motion(
-        omega=(float(across[0]), float(across[1]), omega3), attitude=attitude
-    )
-    return made
+    omega = float(across[0]), float(across[1]), omega3
+    motion: Motion = body.motion(omega=omega, attitude=attitude)
+    return motion
 
 
 def turned(path: Trajectory) -> tuple[Floats, Floats]:
     """How many times e₃, and the mark on e₁, have gone round L, which is upright, since row 0."""
-    attitudes = path.rotation.as_matrix()
-    found = []
-    for k in (2, 0):
-        angle = np.unwrap(np.arctan2(attitudes[:, 1, k], attitudes[:, 0, k]))
-        found.append((angle - angle[0]) / (2 * math.pi))
-    return found[0], found[1]
+    x, y, _ = np.moveaxis(path.rotation.as_matrix(), 0, -1)
+    angles = np.unwrap(np.arctan2(y, x))
+    mark, _, wobble = (angles - angles[:, :1]) / (2 * math.pi)
+    return wobble, mark
 
 
 def draw_turns(axes: Axes, path: Trajectory) -> None:
@@ -183,17 +180,14 @@ def marked_days(period: float) -> Floats:
     return np.arange(0.0, period - 0.45 * steps[0], steps[0])
 
 
-def draw_polar_motion(
-    axes: Axes, H: float, omega3: float, observed: float, angle: float, radius: float
-) -> None:
+def draw_polar_motion(axes: Axes, **values: float) -> None:
     """The circle of the pole of rotation seen from above the pole, in metres.
 
     Outside are the days of a rigid Earth, inside those of one whose bulge follows so far that the
     period is the `observed` one.
     """
-    found = answers(
-        earth_euler_period, H=H, omega3=omega3, observed=observed, angle=angle, radius=radius
-    )
+    found = answers(earth_euler_period, **values)
+    H, omega3, observed, angle, radius = (values[p.name] for p in earth_euler_period.parameters)
     rigid, yielding = wobble(H, angle), wobble(H, angle, max(found["share"], 0.0))
     once = np.linspace(0.0, found["period"], 361)
     way = way_of_the_pole(rigid, radius, once * DAY * omega3)
