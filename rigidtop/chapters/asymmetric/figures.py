@@ -12,9 +12,9 @@ from scipy.interpolate import CubicHermiteSpline
 
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
-from rigidtop.figures.drawing import Drawing, Film
+from rigidtop.figures.drawing import Drawing, Film, film
 from rigidtop.figures.space import View
-from rigidtop.figures.style import Canvas, Floats
+from rigidtop.figures.style import Floats
 from rigidtop.parameters import Parameter
 
 from .top import Moments, across, angle_rates, parameters, system
@@ -84,13 +84,10 @@ def draw_section(axes: Axes, moments: Moments, energy: float) -> None:
     axes.set(xlabel=r"$\chi$  (rad)", ylim=(-1.08 * most, 1.08 * most))
 
 
-def _section(lambda1: float, energy: float) -> Canvas:
-    drawn = look.canvas(look.TEXT, 2.8)
-    with_it, without = drawn.subplots(1, 2, sharex=True, sharey=True)
+def _section(with_it: Axes, without: Axes, lambda1: float, energy: float) -> None:
     draw_section(with_it, KOVALEVSKAYA, energy)
     draw_section(without, other(lambda1), energy)
     with_it.set(ylabel=r"$\omega_3$  by  $\nu_3$")
-    return drawn
 
 
 SECTION = Drawing(
@@ -98,7 +95,7 @@ SECTION = Drawing(
     "Where the third axis is level",
     "4",
     (MOMENT, ENERGY),
-    _section,
+    pen.panels(look.TEXT, 2.8, _section, 1, 2, sharex=True, sharey=True),
     r"The points of sixteen motions with $E/MgR = {energy}$ and $L_z = 0$, those of one of them in "
     r"another colour; thin: the edge. Left $\lambda_1 = \lambda_2 = 2\lambda_3$; right "
     r"$\lambda_1 = {lambda1}\,\lambda_3$, and the other two as before.",
@@ -181,16 +178,14 @@ def draw_distances(axes: Axes, lambda1: float, chi: float, until: int | None = N
     slope, start = exponent(without)
     fitted = np.exp(start + slope * without.t)
     line = (without.t[fitted < 3], fitted[fitted < 3])
-    tops = zip((KOVALEVSKAYA, other(lambda1)), (look.FIRST, look.SECOND), strict=True)
     curves = []
-    for moments, color in tops:
+    for moments, color in ((KOVALEVSKAYA, look.FIRST), (other(lambda1), look.SECOND)):
         two, name = pair(moments, chi), rf"$\lambda_1={moments[0]:g}\lambda_3$"
         curve = two.t[:until], two.distance[:until]
         curves.append(pen.Curve(curve, color, 0.9, label=name))
     growth = pen.Curve(line, look.INK, 0.9, look.DASHED, label=r"$\delta_0e^{\sigma t}$")
-    pen.draw(axes, [*curves, growth])
-    axes.set(xlim=(0, SHOWN), ylim=(APART / 10, 10), yscale="log", xlabel=r"$\nu_3t$")
-    axes.set_ylabel(r"$\delta$")
+    limits = {"xlim": (0, SHOWN), "ylim": (APART / 10, 10)}
+    pen.chart(axes, [*curves, growth], r"$\nu_3t$", r"$\delta$", yscale="log", **limits)
     pen.legend_above(axes, ncols=3)
 
 
@@ -203,8 +198,7 @@ def draw_tips(axes: Axes, two: Pair, row: int) -> None:
     for tip, color in zip(two.tips, (look.SECOND, look.INK), strict=True):
         trail = tip[max(0, row - TRAIL) : row + 1]
         parts += [pen.on_sphere(trail, color, lw=1.0), pen.Arrow(tip[row], "", color, 1.4)]
-    pen.draw(axes, parts, VIEW)
-    pen.paper(axes, (-1.15, 1.15), (-1.15, 1.15))
+    pen.picture(axes, parts, (-1.15, 1.15), (-1.15, 1.15), VIEW)
 
 
 def parted(two: Pair) -> int:
@@ -213,30 +207,22 @@ def parted(two: Pair) -> int:
     return int(far[0]) if len(far) else len(two.t) - 1
 
 
-def _apart(lambda1: float, chi: float) -> Canvas:
-    drawn = look.canvas(look.TEXT, 2.6)
-    ball, chart = drawn.subplots(1, 2, gridspec_kw={"width_ratios": (1, 1.6)})
+def _apart(ball: Axes, chart: Axes, lambda1: float, chi: float) -> None:
     two = pair(other(lambda1), chi)
     draw_tips(ball, two, parted(two))
     draw_distances(chart, lambda1, chi)
-    return drawn
 
 
 def _film(lambda1: float, chi: float) -> Film:
     """The axes of the pair without the integral, and the distances until now."""
-    drawn = Canvas(figsize=(look.TEXT, 2.6))
-    ball, chart = drawn.add_axes((0.0, 0.02, 0.4, 0.96)), drawn.add_axes((0.52, 0.18, 0.46, 0.68))
     two = pair(other(lambda1), chi)
 
-    def show(share: float) -> None:
-        ball.clear()
-        chart.clear()
+    def show(share: float, ball: Axes, chart: Axes) -> None:
         row = round(share * (len(two.t) - 1))
         draw_tips(ball, two, row)
         draw_distances(chart, lambda1, chi, row + 1)
 
-    show(0.0)
-    return Film(drawn, show)
+    return film(look.TEXT, 2.6, show, (0.0, 0.02, 0.4, 0.96), (0.52, 0.18, 0.46, 0.68))
 
 
 def _facts(lambda1: float, chi: float) -> dict[str, Any]:
@@ -256,7 +242,7 @@ NEIGHBOURS = Drawing(
     "Two neighbours part",
     "5",
     (MOMENT, CHI),
-    _apart,
+    pen.panels(look.TEXT, 2.6, _apart, 1, 2, width_ratios=(1, 1.6)),
     r"Two tops start from $\chi = {chi}$ and $10^{-7}$ beside, with $\omega_3 = 0$ and the energy "
     r"of the section. Left: their axes $\mathbf e_1$ at $\nu_3t = {when}$, with "
     r"$\lambda_1 = {lambda1}\,\lambda_3$. Right: their distance, and that of two of Kovalevskaya's "

@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, Film, film
-from rigidtop.figures.style import Canvas, Floats
+from rigidtop.figures.style import Floats
 from rigidtop.parameters import Parameter
 
 from .swings import swing
@@ -70,8 +70,7 @@ def draw_mode(axes: Axes, sign: int, theta: float, stiffness: float) -> None:
     factor = "" if sign > 0 else rf"{look.in_math(rate)}\,"
     words = rf"{name}${{}} = {factor}\sqrt{{g/l}}$"
     parts = [part for angles in run[1:] for part in pendulums(angles, light=True)]
-    parts += pendulums(run[0])
-    parts += [pen.Words((0.0, -1.42), words, ha="center")]
+    parts += [*pendulums(run[0]), pen.Words((0.0, -1.42), words, ha="center")]
     pen.picture(axes, parts, (-1.65, 1.65), (-1.5, 0.1))
 
 
@@ -118,25 +117,18 @@ def _curves(axes: Axes, k: int, theta: float, stiffness: float, until: float = 1
     pen.chart(axes, [*parts, pen.Rule(y=0.0)], "", rf"$\theta_{k + 1}$  (degrees)", **limits)
 
 
-ABOUT_TIME = r"time  (periods $2\pi\,\sqrt{l/g}$)"
-
-
-def _beats(theta: float, stiffness: float) -> Canvas:
-    drawn = look.canvas(look.TEXT, 2.9)
-    for k, axes in enumerate(drawn.subplots(2, sharex=True)):
-        _curves(axes, k, theta, stiffness)
-    axes.set_xlabel(ABOUT_TIME)
-    return drawn
+def _beats(*panels: Axes, theta: float, stiffness: float, until: float = 1.0) -> None:
+    for k, axes in enumerate(panels):
+        _curves(axes, k, theta, stiffness, until)
+    panels[0].tick_params(labelbottom=False)
+    panels[1].set_xlabel(r"time  (periods $2\pi\,\sqrt{l/g}$)")
 
 
 def _film(theta: float, stiffness: float) -> Film:
     """The pendulums above, what they did below; two exchanges."""
 
     def show(share: float, above: Axes, *below: Axes) -> None:
-        for k, axes in enumerate(below):
-            _curves(axes, k, theta, stiffness, share)
-        below[0].tick_params(labelbottom=False)
-        below[1].set_xlabel(ABOUT_TIME)
+        _beats(*below, theta=theta, stiffness=stiffness, until=share)
         now = np.array([share * _span(stiffness)])
         bobs = pendulums(let_go((theta, 0.0), stiffness, now)[0])
         pen.picture(above, bobs, (-1.65, 1.65), (-1.15, 0.1))
@@ -155,7 +147,7 @@ BEATS = Drawing(
     "Beats of two pendulums",
     "2",
     (Parameter("theta", 0.2, THETA.about, "rad", above=0, most=0.5), STIFFNESS),
-    _beats,
+    pen.panels(look.TEXT, 2.9, _beats, 2, sharex=True),
     "The first pendulum is let go at {theta:°}. The equations are integrated with their sines and "
     "cosines; dashed: what changes slowly in (2.8). With $Dl/mg = {stiffness}$ the second one has "
     "all after {exchange} periods.",

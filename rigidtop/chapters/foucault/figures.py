@@ -35,8 +35,7 @@ def draw_laboratory(axes: Axes, latitude: float) -> None:
     parts: list[pen.Part] = [
         pen.Sphere(),
         pen.on_sphere(circle(UPRIGHT, math.pi / 2 - latitude), look.GREY, lw=0.8),
-        pen.on_sphere(arc(-UPRIGHT, outward), look.RULE, lw=0.8),
-        pen.on_sphere(arc(outward, UPRIGHT), look.RULE, lw=0.8),
+        *(pen.on_sphere(arc(k * UPRIGHT, outward), look.RULE, lw=0.8) for k in (-1, 1)),
         pen.Curve([-1.2 * UPRIGHT, UPRIGHT], look.OMEGA, 0.8, look.DASHED, z=1.5),
         pen.Arrow(1.5 * UPRIGHT, look.OMEGA_VEC, look.OMEGA, 1.5, UPRIGHT, (9, 0)),
         pen.round_axis(around, look.OMEGA, head=True),
@@ -46,9 +45,7 @@ def draw_laboratory(axes: Axes, latitude: float) -> None:
         *pen.angle(0.42 * turn, r"$\lambda$", (8, -3), head=latitude > 0.15, z=4),
         pen.Mark(up),
     ]
-    for k, axis in enumerate((east, north, up), 1):
-        name = rf"$\mathbf{{e}}_{k}$"
-        parts.append(pen.Arrow(up + 0.5 * axis, name, look.AXIS, 1.6, start=up, z=6))
+    parts += pen.frame(np.array([east, north, up]), 0.5, centre=up, lw=1.6, z=6)
     pen.picture(axes, parts, (-1.05, 1.65), (-1.15, 1.62), VIEW)
 
 

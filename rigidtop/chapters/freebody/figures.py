@@ -13,7 +13,7 @@ from rigidtop.figures import picture as pen
 from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, Film, film
-from rigidtop.figures.space import View
+from rigidtop.figures.space import View, ring
 from rigidtop.figures.style import Canvas, Floats
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.trajectory import Trajectory
@@ -54,17 +54,13 @@ def draw_sphere(axes: Axes, **moments: float) -> None:
     """The sphere of 𝐋, the paths on it and the separatrix."""
     top = body(**moments)
     parts: list[pen.Part] = [pen.Sphere()]
-    for path in paths(top):
-        for sign in (1.0, -1.0):
-            parts.append(pen.on_sphere(sign * path, look.FIRST, lw=0.9))
-    turn = np.linspace(0.0, 2 * math.pi, 361)
     for sign in (1.0, -1.0):
         start = [sign * math.sin(edge(top)), 0.0, math.cos(edge(top))]
-        circle = np.outer(np.cos(turn), start) + np.outer(np.sin(turn), [0.0, 1.0, 0.0])
-        parts.append(pen.on_sphere(circle, look.SECOND, lw=1.7))
-    for k, end in enumerate(np.eye(3)):
-        name = rf"$\mathbf{{e}}_{k + 1}$"
-        parts += [pen.Arrow(1.35 * end, name, look.INK, 1.0, start=end), pen.Mark(end, size=3)]
+        both = ring(pen.ORIGIN, np.cross(start, [0.0, 1.0, 0.0]), 1.0, start, count=361)
+        parts += [pen.on_sphere(sign * path, look.FIRST, lw=0.9) for path in paths(top)]
+        parts.append(pen.on_sphere(both, look.SECOND, lw=1.7))
+    parts += pen.frame(np.eye(3), 1.35, start=1.0, color=look.INK)
+    parts.append(pen.Mark(np.eye(3), size=3))
     pen.picture(axes, parts, (-1.3, 1.3), (-1.05, 1.45), VIEW)
 
 

@@ -14,7 +14,7 @@ from rigidtop.figures import solids
 from rigidtop.figures import style as look
 from rigidtop.figures.drawing import Drawing, Film, film
 from rigidtop.figures.space import UPRIGHT, View, bow, circle, ring
-from rigidtop.figures.style import Canvas, Floats
+from rigidtop.figures.style import Floats
 from rigidtop.parameters import Parameter
 
 from .compass import MINUTE, frequency, let_go
@@ -36,10 +36,7 @@ def draw_level(axes: Axes, alpha: float, latitude: float) -> None:
     away = bool(along @ VIEW.axes[2] < 0)
     parts: list[pen.Part] = [
         pen.Face(plane, look.GROUND, look.RULE, 0.6, z=0),
-        *(
-            pen.Arrow(1.75 * end, rf"$\mathbf{{e}}_{k}$", look.NOTE, 0.9, z=1.5)
-            for k, end in enumerate((EAST, NORTH, UPRIGHT), 1)
-        ),
+        *pen.frame(np.eye(3), 1.75, color=look.NOTE, lw=0.9, z=1.5),
         pen.guide([level, level + up]),
         pen.guide([up, level + up]),
         pen.Arrow(level, r"$\Omega\cos\beta$", look.OMEGA, 1.5, shift=(6, -11)),
@@ -92,11 +89,6 @@ def whole(start: float, turns: float, latitude: float) -> float:
     return 4 * float(ellipk(m)) / frequency(turns * MINUTE, latitude)
 
 
-def _shown(start: float, turns: float, latitude: float) -> float:
-    """How long it is shown: for two swings."""
-    return 2 * whole(start, turns, latitude)
-
-
 def _at(angle: float, radius: float = 1.0) -> Floats:
     """On the dial, north upwards and west to the left."""
     return radius * np.array([-math.sin(angle), math.cos(angle)])
@@ -116,10 +108,9 @@ def wheel(angle: float, light: bool = False) -> list[pen.Part]:
 
 def draw_dial(axes: Axes, angles: Floats, flashes: Floats | None = None) -> None:
     """The wheel from above at the last of these angles; it came from the first."""
-    way = 0.92 * np.column_stack([-np.sin(angles), np.cos(angles)])
     parts: list[pen.Part] = [
         pen.guide(bow(1.0)),
-        pen.Curve(way, look.FIRST, 1.0, alpha=0.7),
+        pen.Curve((-0.92 * np.sin(angles), 0.92 * np.cos(angles)), look.FIRST, 1.0, alpha=0.7),
         *wheel(float(angles[-1])),
     ]
     for words, angle in zip("NWSE", np.arange(4) * math.pi / 2, strict=True):
@@ -143,18 +134,15 @@ def draw_angles(axes: Axes, t: Floats, angle: Floats, until: int = ROWS) -> None
     pen.chart(axes, parts, "$t$  (s)", r"$\alpha$  (degrees)", **limits)
 
 
-def _search(**values: float) -> Canvas:
-    drawn = look.canvas(look.TEXT, 2.5)
-    dial, chart = drawn.subplots(1, 2, gridspec_kw={"width_ratios": (1, 1.5)})
-    t, angle = swings(time=_shown(**values), **values)
+def _search(dial: Axes, chart: Axes, **values: float) -> None:
+    t, angle = swings(**values, time=2 * whole(**values))
     draw_dial(dial, angle[:1], angle[25:101:25])
     draw_angles(chart, t, angle)
-    return drawn
 
 
 def _film(**values: float) -> Film:
     """Two swings."""
-    t, angle = swings(time=_shown(**values), **values)
+    t, angle = swings(**values, time=2 * whole(**values))
 
     def show(share: float, dial: Axes, chart: Axes) -> None:
         until = 1 + round(share * (ROWS - 1))
@@ -174,7 +162,7 @@ SEARCH = Drawing(
     "The axis swings about north",
     "3",
     (START, TURNS, LATITUDE),
-    _search,
+    pen.panels(look.TEXT, 2.5, _search, 1, 2, width_ratios=(1, 1.5)),
     r"A thin disc with {turns} turns a minute at the latitude $\beta = {latitude:°}$, let go at "
     r"$\alpha_0 = {start:°}$. Left: from above, at equal times on the way to the other side. A "
     "swing to and fro takes {whole} s, a small one {small} s.",
