@@ -9,17 +9,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from rigidtop.derivations.exercises.friction import (
-    ABOUT_CENTRE,
-    HELD,
-    about_tip,
-    crossing,
-    rising,
-    rising_top,
-    time_asleep,
-    time_to_grow,
-    waking_top,
-)
+from rigidtop.derivations.exercises import friction as exercise
 from rigidtop.errors import RigidtopError
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
@@ -68,7 +58,7 @@ def _risen(until: float, **values: float) -> SlidingTrajectory:
         raise RigidtopError(
             f"until = {until:g} must be less than theta = {values['theta']:g}: the top rises"
         )
-    motion: SlidingMotion = rising(**values)
+    motion: SlidingMotion = exercise.rising(**values)
     top, spin = motion.body, values["omega3"]
     # The weight's friction turns L, of about λ₃ω₃, upright; the slip ends about then.
     upright = values["theta"] * top.lambda3 * spin / (top.mu * top.M * top.g * top.R)
@@ -89,7 +79,7 @@ def tilt_in_time(
 ) -> list[pen.Part]:
     """θ(t) (degrees), and when it comes to a tilt (rad), with the number beside it."""
     theta = pen.Curve((path.t, np.degrees(path.theta)), look.FIRST, 1.3, label="_theta")
-    then = crossing(path, tilt)
+    then = exercise.crossing(path, tilt)
     if then is None:
         return [theta]
     words, ha = f"{then:.3g} s", "left" if shift[0] > 0 else "right"
@@ -184,7 +174,7 @@ def _draw_rising(
 
 def _rising_facts(until: float, **values: float) -> dict[str, Any]:
     path = _risen(until, **values)
-    rest, then, end = stands(path), crossing(path, until), path.ended
+    rest, then, end = stands(path), exercise.crossing(path, until), path.ended
     lost = float(spent(path)[-1])
     shares = {name: float(gain[-1]) / lost for name, gain in gains(path).items()}
     slips = "all the {shown} s that are shown"
@@ -215,7 +205,7 @@ RISING = Drawing(
     "rising-top",
     r"Friction raises a fast top: $\theta$, energy, slip and path",
     "3.5.4",
-    rising_top.parameters,
+    exercise.rising_top.parameters,
     pen.panels(look.TEXT, 2.6, _draw_rising, 2, 2),
     r"A top with {top}, a round tip of radius {tip} m and the friction $\mu = {mu}$, from "
     r"$\theta = {theta:°}$, $\dot\theta = 0$, $\dot\phi = {phi_dot}$ rad/s (steady if nothing "
@@ -240,8 +230,8 @@ def _woken(
     omega3: float, drag3: float, disturbance: float, visible: float, **body: float
 ) -> SlidingTrajectory:
     """The motion from its disturbance to its fall, or to somewhat after it was seen to wake."""
-    asleep = time_asleep(omega3, drag3, **body)
-    growing = time_to_grow(math.log(visible / disturbance), drag3, **body)
+    asleep = exercise.time_asleep(omega3, drag3, **body)
+    growing = exercise.time_to_grow(math.log(visible / disturbance), drag3, **body)
     last = asleep + 1.5 * growing
     turns = last * omega3 / (2 * math.pi)
     if turns > MOST_TURNS:
@@ -249,9 +239,9 @@ def _woken(
             f"about {turns:.0f} turns until the top wakes, at most {MOST_TURNS} are drawn: give a "
             "larger drag3 or a smaller omega3"
         )
-    pivot = about_tip(**body)
+    pivot = exercise.about_tip(**body)
     start = {"theta": disturbance, "phi_dot": pivot.lambda3 * omega3 / (2 * pivot.lambda1)}
-    top = SlidingTop(**body, mu=HELD, drag3=drag3)
+    top = SlidingTop(**body, mu=exercise.HELD, drag3=drag3)
     motion = top.motion(**start, omega3=omega3, slip=(0.0, 0.0))
     # The tilt is known relative to what it was at first.
     times = np.linspace(0.0, last, SAMPLES)  # later ones than its fall are left out
@@ -265,7 +255,7 @@ def draw_waking(
 
     Dotted: where ω₃ is `sleeping` (rad/s), and where θ is `visible` (rad) for the first time.
     """
-    seen = crossing(path, visible)
+    seen = exercise.crossing(path, visible)
     asleep = float(np.interp(-sleeping, -path.omega[:, 2], path.t))
     upright: list[pen.Part] = [pen.Rule(x=asleep, label="_asleep")]
     if seen is not None:
@@ -288,21 +278,22 @@ def draw_waking(
 
 
 def _draw_waking(tilt: Axes, spin: Axes, **values: float) -> None:
-    sleeping = about_tip(**{p.name: values[p.name] for p in ABOUT_CENTRE}).sleeping_spin()
+    body = {p.name: values[p.name] for p in exercise.ABOUT_CENTRE}
+    sleeping = exercise.about_tip(**body).sleeping_spin()
     draw_waking(tilt, spin, _woken(**values), values["visible"], sleeping)
 
 
 def _waking_facts(**values: float) -> dict[str, Any]:
     path = _woken(**values)
-    body = {p.name: values[p.name] for p in ABOUT_CENTRE}
-    seen = crossing(path, values["visible"])
+    body = {p.name: values[p.name] for p in exercise.ABOUT_CENTRE}
+    seen = exercise.crossing(path, values["visible"])
     wakes = "a tilt of {visible:°} is not seen in the time that is shown"
     if seen is not None:
         wakes = r"a tilt of {visible:°} is only seen after {seen} s, at $\omega_3 = {then}$ rad/s"
     return _facts_of(
         path,
-        sleeping=about_tip(**body).sleeping_spin(),
-        asleep=time_asleep(values["omega3"], values["drag3"], **body),
+        sleeping=exercise.about_tip(**body).sleeping_spin(),
+        asleep=exercise.time_asleep(values["omega3"], values["drag3"], **body),
         seen=seen,
         then=None if seen is None else float(np.interp(seen, path.t, path.omega[:, 2])),
         wakes=wakes,
@@ -315,7 +306,7 @@ WAKING = Drawing(
     "waking-top",
     r"The air wakes a sleeping top: $\theta(t)$ and $\omega_3(t)$",
     "",
-    waking_top.parameters,
+    exercise.waking_top.parameters,
     pen.panels(look.COLUMN, 2.8, _draw_waking, 2, sharex=True),
     r"A top with {top} sleeps on a sharp tip that friction holds, from $\omega_3 = {omega3}$ "
     r"rad/s, $\theta = {disturbance:°}$, $\dot\theta = 0$ and $\dot\phi = {phi_dot}$ rad/s, which "

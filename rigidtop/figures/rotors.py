@@ -9,16 +9,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from rigidtop.derivations.exercises import gyroscope as exercise
 from rigidtop.derivations.exercises.bodies import simple_rate
-from rigidtop.derivations.exercises.gyroscope import (
-    bicycle_wheel,
-    disc_on_axle,
-    gyroscope,
-    hoop_on_axle,
-    slope_of_cord,
-    spin_for,
-    spinning,
-)
 from rigidtop.figures import picture as pen
 from rigidtop.figures import solids
 from rigidtop.figures import style as look
@@ -36,7 +28,7 @@ from rigidtop.motion.top import HeavyTop
 
 def steady(top: HeavyTop, theta: float, omega3: float) -> TopMotion:
     """The slow steady precession, with e₃ leaning to the right in the yz plane."""
-    spinning(omega3)
+    exercise.spinning(omega3)
     rate, _ = top.steady_precession(theta, omega3)
     return top.motion(theta=theta, phi=math.pi / 2, phi_dot=rate, omega3=omega3)
 
@@ -166,7 +158,8 @@ def draw_simple_and_exact(
 
     A line marks the spin from which on the two differ by no more than the share `tolerance`.
     """
-    least, needed, marked = top.smallest_spin(theta), spin_for(tolerance, top, theta), abs(omega3)
+    least, marked = top.smallest_spin(theta), abs(omega3)
+    needed = exercise.spin_for(tolerance, top, theta)
     last = max(1.3 * marked, 1.15 * needed if needed < 6 * marked else 0.0, 2.2 * least)
     first = max(least * (1 + 1e-12), 0.2 * marked)
     slowest = max(least * (1 + 1e-12), 0.6 * first)  # out at the top, unless there is a least spin
@@ -197,7 +190,7 @@ def draw_simple_and_exact(
 
 
 def _motion_gyroscope(theta: float, omega3: float, **body: float) -> TopMotion:
-    return steady(disc_on_axle(**body), theta, omega3)
+    return steady(exercise.disc_on_axle(**body), theta, omega3)
 
 
 def _draw_gyroscope(picture: Axes, chart: Axes, tolerance: float, **values: float) -> None:
@@ -207,7 +200,7 @@ def _draw_gyroscope(picture: Axes, chart: Axes, tolerance: float, **values: floa
 
 
 def _facts_gyroscope(tolerance: float, **values: float) -> dict[str, Any]:
-    facts = answers(gyroscope, tolerance=tolerance, **values)
+    facts = answers(exercise.gyroscope, tolerance=tolerance, **values)
     facts |= facts_of_axle(_motion_gyroscope(**values))
     good = r"off by no more than {tolerance:%} % from $|\omega_3| = {spin_needed}$ rad/s on"
     least = "Below {smallest_spin} rad/s it cannot go round steadily."
@@ -225,7 +218,7 @@ GYROSCOPE = Drawing(
     "gyroscope",
     r"The gyroscope: torque, $L$ and precession; $\Omega$ against $\omega_3$",
     "",
-    gyroscope.parameters,
+    exercise.gyroscope.parameters,
     pen.panels(look.TEXT, 2.2, _draw_gyroscope, 1, 2),
     "A gyroscope, a disc of {M} kg and radius {radius} m at $R = {R}$ m from the end $O$ of its "
     r"axle, at $\theta = {theta:°}$ and $\omega_3 = {omega3}$ rad/s, with $g = {g}$ m/s²: "
@@ -261,7 +254,7 @@ def draw_wheel(axes: Axes, motion: TopMotion, radius: float, cord: float) -> Non
     """
     rotor, top = Rotor(motion, radius, VIEW_BICYCLE_WHEEL), motion.body
     e3, centre, half = rotor.e3, rotor.arm * rotor.e3, rotor.half
-    slope = slope_of_cord(rotor.rate, top.R, cord, top.g)
+    slope = exercise.slope_of_cord(rotor.rate, top.R, cord, top.g)
     # From the end of the axle up, and in towards the vertical about which all goes round.
     along = np.array([0.0, -slope, 1.0]) / math.hypot(1.0, slope)
     whole = cord / rotor.size
@@ -297,7 +290,7 @@ def _sense(upper: Floats, rate: float) -> list[pen.Part]:
 
 
 def _motion_bicycle_wheel(omega3: float, **body: float) -> TopMotion:
-    return steady(hoop_on_axle(**body), math.pi / 2, omega3)
+    return steady(exercise.hoop_on_axle(**body), math.pi / 2, omega3)
 
 
 def _draw_bicycle_wheel(axes: Axes, cord: float, **values: float) -> None:
@@ -305,7 +298,7 @@ def _draw_bicycle_wheel(axes: Axes, cord: float, **values: float) -> None:
 
 
 def _facts_bicycle_wheel(cord: float, **values: float) -> dict[str, Any]:
-    facts = answers(bicycle_wheel, cord=cord, **values)
+    facts = answers(exercise.bicycle_wheel, cord=cord, **values)
     return facts | facts_of_axle(_motion_bicycle_wheel(**values))
 
 
@@ -313,7 +306,7 @@ BICYCLE_WHEEL = Drawing(
     "bicycle-wheel",
     "The bicycle wheel on a cord: weight, torque and the change of $L$",
     "",
-    bicycle_wheel.parameters,
+    exercise.bicycle_wheel.parameters,
     pen.alone(2.9, _draw_bicycle_wheel),
     "A bicycle wheel of {M} kg and radius {radius} m at $R = {R}$ m from the end $O$ of its "
     r"horizontal axle, with $\omega_3 = {omega3}$ rad/s and $g = {g}$ m/s²: $L = {L}$ J s, and the "

@@ -10,13 +10,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from rigidtop.derivations.exercises import toy_top
 from rigidtop.derivations.exercises.sleeping_top import RPM
-from rigidtop.derivations.exercises.toy_top import (
-    free_of_the_table,
-    measured,
-    spinning_at,
-    top_from_the_toy_box,
-)
 from rigidtop.errors import NoSteadyPrecession
 from rigidtop.figures import bodies, solids
 from rigidtop.figures import picture as pen
@@ -262,24 +257,13 @@ BODY_TOY_TOP = ("disc_mass", *DISC, "stem_mass", "stem_length", "g")
 """Names of parameters."""
 
 
-def draw_toy_top(
-    axes: Axes,
-    theta: float,
-    omega3: float,
-    centre_of_mass: float,
-    *,
-    disc_radius: float,
-    disc_thickness: float,
-    disc_height: float,
-    stem_length: float,
-) -> None:
+def draw_toy_top(axes: Axes, R: float, theta: float, omega3: float, **sizes: float) -> None:
     """Disc, stem and centre of mass (a dot) to scale, leaning to the right in the yz plane."""
-    size = max(stem_length, math.hypot(disc_radius, disc_height + disc_thickness / 2))
     e3 = np.array([0.0, math.sin(theta), math.cos(theta)])
-    top, middle, half, height, centre = (
-        length / size
-        for length in (stem_length, disc_height, disc_radius, disc_thickness, centre_of_mass)
-    )
+    lengths = np.array([R, sizes["stem_length"], *(sizes[name] for name in DISC)])
+    _, stem_length, radius, thickness, place = lengths
+    lengths /= max(stem_length, math.hypot(radius, place + thickness / 2))
+    centre, top, half, height, middle = lengths
     way = (top + 0.5) * arc(UPRIGHT, e3)
     pieces = ((0.0, middle), 1.5), ((middle + height / 2, top), 3.0)
     stem: Any = {"lw": 2.4, "cap": "butt", "label": "_stem"}
@@ -334,8 +318,8 @@ def draw_against_spin(axes: Axes, top: HeavyTop, theta: float, omega3: float) ->
     least, wakes, given = top.smallest_spin(theta), top.sleeping_spin(), abs(omega3)
     last = max(2.0 * wakes, 1.25 * given)
     spins = least + (last - least) * np.linspace(1e-6, 1.0, 300) ** 2
-    rates = np.array([spinning_at(top, theta, float(spin)) for spin in spins]) / (2 * math.pi)
-    marked = np.array(spinning_at(top, theta, given)) / (2 * math.pi)
+    every = [toy_top.spinning_at(top, theta, float(spin)) for spin in (*spins, given)]
+    rates, marked = np.split(np.array(every) / (2 * math.pi), [-1])
     styles = ((2, look.SECOND, look.DASHED, "nutations"), (0, look.FIRST, "-", "turns of the axis"))
     high, at = 3 * rates[-1, 2], int(0.85 * len(spins))
     parts: list[pen.Part] = [
@@ -346,7 +330,7 @@ def draw_against_spin(axes: Axes, top: HeavyTop, theta: float, omega3: float) ->
         place = spins[at] * RPM, rates[at, k]
         parts += [
             pen.Curve((spins * RPM, rates[:, k]), color, 1.3, style, label=f"_{words}"),
-            pen.Mark((given * RPM, marked[k]), color, 4.5, label=f"_{words} now"),
+            pen.Mark((given * RPM, marked[0, k]), color, 4.5, label=f"_{words} now"),
             pen.Words(place, words, (0, 5), color, "center"),
         ]
     limits = {"xlim": (0.9 * least * RPM, last * RPM), "ylim": (0.6 * rates[-1, 0], high)}
@@ -356,10 +340,10 @@ def draw_against_spin(axes: Axes, top: HeavyTop, theta: float, omega3: float) ->
 
 def _top(values: dict[str, float]) -> tuple[HeavyTop, TopMotion, float]:
     """The top, let go with ω along e₃, and the tilt at which its rim touches the table."""
-    top = measured(**{name: values[name] for name in BODY_TOY_TOP})
+    top = toy_top.measured(**{name: values[name] for name in BODY_TOY_TOP})
     theta = values["theta"]
-    touching = free_of_the_table(theta, **{name: values[name] for name in DISC})
-    spinning_at(top, theta, values["omega3"])  # says so where it falls
+    touching = toy_top.free_of_the_table(theta, **{name: values[name] for name in DISC})
+    toy_top.spinning_at(top, theta, values["omega3"])  # says so where it falls
     return top, top.motion(theta=theta, omega3=values["omega3"]), touching
 
 
@@ -367,8 +351,7 @@ def _draw_toy_top(**values: float) -> Canvas:
     top, motion, touching = _top(values)
     drawn = canvas(look.COLUMN, 3.2)
     parts = drawn.subplot_mosaic([["top", "path"], ["chart", "chart"]], height_ratios=(1.1, 1))
-    sizes = {name: values[name] for name in (*DISC, "stem_length")}
-    draw_toy_top(parts["top"], values["theta"], values["omega3"], top.R, **sizes)
+    draw_toy_top(parts["top"], top.R, **values)
     draw_path_from_above(parts["path"], motion, touching)
     draw_against_spin(parts["chart"], top, values["theta"], values["omega3"])
     return drawn
@@ -376,7 +359,7 @@ def _draw_toy_top(**values: float) -> Canvas:
 
 def _facts_toy_top(**values: float) -> dict[str, Any]:
     _, motion, touching = _top(values)
-    facts = answers(top_from_the_toy_box, **values)
+    facts = answers(toy_top.top_from_the_toy_box, **values)
     end = touches(motion, touching)
     lowest, turns = motion.turning_points[1], 1 / facts["slow_turn"]
     facts |= {"lowest": lowest, "touching": touching, "end": end, "turns": turns}
@@ -391,7 +374,7 @@ TOY_TOP = Drawing(
     "toy-top",
     "A top from the toy box: its path, its precession and nutation against the spin",
     "",
-    top_from_the_toy_box.parameters,
+    toy_top.top_from_the_toy_box.parameters,
     _draw_toy_top,
     "A top, a disc of {disc_mass} kg, radius {disc_radius} m and thickness {disc_thickness} m at "
     "{disc_height} m on a stem of {stem_mass} kg and {stem_length} m, with $g = {g}$ m/s², leaning "

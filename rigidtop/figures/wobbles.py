@@ -9,13 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.spatial.transform import Rotation
 
-from rigidtop.derivations.exercises.precession_of_rotation_axis import (
-    DAY,
-    earth_euler_period,
-    plate,
-    plate_rates,
-    wobbling_plate,
-)
+from rigidtop.derivations.exercises import precession_of_rotation_axis as exercise
 from rigidtop.figures import picture as pen
 from rigidtop.figures import solids
 from rigidtop.figures import style as look
@@ -42,8 +36,8 @@ REACH = 2.1
 
 def thrown(theta: float, radius: float, thickness: float, omega3: float) -> Motion:
     """A plate with L upright; at first it leans to the right, and the mark, on e₁, is in front."""
-    body = plate(radius, thickness)
-    wobble, _ = plate_rates(body, theta, omega3)
+    body = exercise.plate(radius, thickness)
+    wobble, _ = exercise.plate_rates(body, theta, omega3)
     attitude = from_euler_angles(theta, math.pi / 2, -math.pi / 2)
     # ω is the wobble about L, which is upright, and ψ̇ about e₃.
     across = attitude.inv().apply(wobble * UPRIGHT)
@@ -127,14 +121,14 @@ def _draw(theta: float, radius: float, thickness: float, omega3: float) -> Canva
 def _facts_plate(**values: float) -> dict[str, Any]:
     marks = float(turned(_path(thrown(**values)))[1][-1])
     facts = {"pictures": PICTURES, "wobbles": WOBBLES, "marks": marks}
-    return facts | answers(wobbling_plate, **values)
+    return facts | answers(exercise.wobbling_plate, **values)
 
 
 WOBBLING_PLATE = Drawing(
     "wobbling-plate",
     "Feynman's plate: how often it wobbles while a mark goes round",
     "",
-    wobbling_plate.parameters,
+    exercise.wobbling_plate.parameters,
     _draw,
     "A plate of radius {radius} m and thickness {thickness} m that is thrown up with "
     r"$\omega_3 = {omega3}$ rad/s and its axis $\mathbf e_3$ tilted by $\theta = {theta:°}$ from "
@@ -186,11 +180,12 @@ def draw_polar_motion(axes: Axes, **values: float) -> None:
     Outside are the days of a rigid Earth, inside those of one whose bulge follows so far that the
     period is the `observed` one.
     """
-    found = answers(earth_euler_period, **values)
-    H, omega3, observed, angle, radius = (values[p.name] for p in earth_euler_period.parameters)
+    found = answers(exercise.earth_euler_period, **values)
+    names = (p.name for p in exercise.earth_euler_period.parameters)
+    H, omega3, observed, angle, radius = (values[name] for name in names)
     rigid, yielding = wobble(H, angle), wobble(H, angle, max(found["share"], 0.0))
     once = np.linspace(0.0, found["period"], 361)
-    way = way_of_the_pole(rigid, radius, once * DAY * omega3)
+    way = way_of_the_pole(rigid, radius, once * exercise.DAY * omega3)
     size, small = found["ground"], look.SMALL
     metres = f"${in_math(size)}$ m"
     parts: list[pen.Part] = [
@@ -211,7 +206,7 @@ def draw_polar_motion(axes: Axes, **values: float) -> None:
         (yielding, observed, -12, "inside: observed", look.SECOND, -0.38, ring),
     ):
         days = marked_days(period)
-        poles = way_of_the_pole(motion, radius, days * DAY * omega3)
+        poles = way_of_the_pole(motion, radius, days * exercise.DAY * omega3)
         label = "_rigid" if outwards > 0 else "_yielding"
         parts.append(pen.Mark(poles, color, label=label, **mark))
         for pole, day in zip(poles[1:], days[1:], strict=True):
@@ -224,7 +219,7 @@ def draw_polar_motion(axes: Axes, **values: float) -> None:
 
 
 def _facts_polar_motion(angle: float, radius: float, **others: float) -> dict[str, Any]:
-    facts = answers(earth_euler_period, angle=angle, radius=radius, **others)
+    facts = answers(exercise.earth_euler_period, angle=angle, radius=radius, **others)
     nearer = radius * (math.tan(angle) - math.tan(angle - facts["space_cone"]))
     return facts | {"seconds": math.degrees(angle) * 3600, "nearer": nearer}
 
@@ -233,7 +228,7 @@ POLAR_MOTION = Drawing(
     "polar-motion",
     "The wobble of the Earth: rigid, and as it is observed",
     "",
-    earth_euler_period.parameters,
+    exercise.earth_euler_period.parameters,
     pen.alone(3.05, draw_polar_motion),
     r"The pole of rotation, where $\boldsymbol\omega$ meets the ground, goes round the pole of the "
     r"figure, $\mathbf e_3$: {direction}; seen from above. With $H = {H}$ and "

@@ -165,7 +165,7 @@ def test_when_a_top_wakes(given):
 
 
 def test_growth_by_quadrature():
-    top = friction.about_tip(**BODY)
+    top = friction.exercise.about_tip(**BODY)
     decay, sleeping = 5e-6 / 2.5e-5, top.sleeping_spin()
     for folds in (0.01, 3.0, 11.5, 200.0):
 
@@ -174,7 +174,7 @@ def test_growth_by_quadrature():
                 top.lambda3 / (2 * top.lambda1) * sleeping * math.sqrt(-math.expm1(-2 * decay * t))
             )
 
-        until = friction.time_to_grow(folds, 5e-6, **BODY)
+        until = friction.exercise.time_to_grow(folds, 5e-6, **BODY)
         total, _ = quad(rate, 0, until, epsrel=1e-11)
         assert total == pytest.approx(folds, rel=1e-9)
 
