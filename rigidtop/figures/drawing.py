@@ -132,9 +132,8 @@ def told(words: str, facts: Mapping[str, Any], *, aloud: bool = False) -> str:
         if spec == "°":
             return look.spoken(math.degrees(value)) if aloud else look.degrees(value)
         value = 100 * value if spec == "%" else value
-        return (
-            look.spoken(value) if aloud else look.said(value, int(spec) if spec.isdecimal() else 3)
-        )
+        digits = int(spec) if spec.isdecimal() else 3
+        return look.spoken(value) if aloud else look.said(value, digits)
 
     return _HOLE.sub(number, words)
 
@@ -226,12 +225,8 @@ class _Vector(FigureCanvasSVG):
         top = POINTS * self.figure.get_figheight() - low - height
         size = f'width="{width:.6g}pt" height="{height:.6g}pt"'
         place = f'viewBox="{left:.6g} {top:.6g} {width:.6g} {height:.6g}"'
-        page = re.sub(
-            r'width="\S*" height="\S*" viewBox="[^"]*"',
-            f"{size} {place}",
-            self._page.getvalue(),
-            count=1,
-        )
+        whole = r'width="\S*" height="\S*" viewBox="[^"]*"'
+        page = re.sub(whole, f"{size} {place}", self._page.getvalue(), count=1)
         return re.sub(r"\s*<metadata>.*?</metadata>", "", page, flags=re.DOTALL).encode()
 
 

@@ -36,7 +36,7 @@ ORIGIN = np.zeros(3)
 
 
 class Part:
-    """Something to be drawn."""
+    """Something to be drawn: `on` Axes, if it is seen from the view."""
 
     def on(self, axes: Axes, view: View) -> None:
         """Draws it."""
@@ -93,7 +93,6 @@ class Curve(Part):
     """Of the face that it is on, which is seen from the side to which this points."""
 
     def on(self, axes: Axes, view: View) -> None:
-        """Draws it, if it is seen."""
         if turned_away(self.normal, view):
             return
         x, y, near = seen(self.points, view)
@@ -169,7 +168,6 @@ class Rule(Part):
     label: str = "_"
 
     def on(self, axes: Axes, view: View) -> None:
-        """Draws it."""
         style: dict[str, Any] = {"color": self.color, "lw": self.lw, "ls": self.ls, "zorder": 1.9}
         if self.x is not None:
             axes.axvline(self.x, label=self.label, **style)
@@ -200,7 +198,6 @@ class Mark(Part):
     ink: str | None = None
 
     def on(self, axes: Axes, view: View) -> None:
-        """Draws them."""
         x, y, _ = seen(self.points, view)
         style: dict[str, Any] = {"ms": self.size, "zorder": self.z, "mew": self.width}
         style |= {"mfc": self.fill or self.color, "mec": self.edge or self.color}
@@ -225,7 +222,6 @@ class Words(Part):
     z: float = 8
 
     def on(self, axes: Axes, view: View) -> None:
-        """Draws them."""
         x, y, _ = seen(self.at, view)
         style: dict[str, Any] = {"color": self.color, "ha": self.ha, "va": self.va}
         style |= {"path_effects": [withStroke(linewidth=2.0, foreground="white")]}
@@ -253,7 +249,6 @@ class Arrow(Part):
     ends: str = "-|>"
 
     def on(self, axes: Axes, view: View) -> None:
-        """Draws it."""
         (x0, y0, n0), (x1, y1, n1) = seen(self.start, view), seen(self.tip, view)
         across, up = float(x1 - x0), float(y1 - y0)
         length = math.hypot(across, up)
@@ -294,7 +289,6 @@ class Face(Part):
     normal: ArrayLike | None = None
 
     def on(self, axes: Axes, view: View) -> None:
-        """Draws it, if it is seen."""
         if turned_away(self.normal, view):
             return
         flat = np.column_stack(seen(self.points, view)[:2])
@@ -315,7 +309,6 @@ class Band(Part):
     label: str = "_"
 
     def on(self, axes: Axes, view: View) -> None:
-        """Draws it."""
         style: dict[str, Any] = {"fc": self.color, "alpha": self.alpha, "label": self.label}
         axes.fill_between(self.x, self.low, self.high, lw=0.0, **style)
 
@@ -325,7 +318,6 @@ class Sphere(Part):
     """The outline of the unit sphere, and its equator."""
 
     def on(self, axes: Axes, view: View) -> None:
-        """Draws it."""
         outline = Curve(circle(view.axes[2], math.pi / 2), look.RULE, 0.8, z=1)
         draw(axes, [outline, on_sphere(circle(UPRIGHT, math.pi / 2), look.RULE, lw=0.8)], view)
 
@@ -356,7 +348,6 @@ class Turning(Part):
         return ring(self.centre, along, self.radius, first, TAIL + HEAD)
 
     def on(self, axes: Axes, view: View) -> None:
-        """Draws it."""
         points = self.points(view)
         x, _, near = view(points)
         behind = near < float(view(self.centre)[2]) - 1e-9

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq
 
 from rigidtop.derivations.exercises import parallel
 from rigidtop.figures import picture as pen
@@ -222,15 +221,11 @@ def bound_of_angle(motion: TopMotion) -> float:
     return math.atan(abs(top.lambda1 - top.lambda3) * across / (top.lambda3 * motion.omega[2]))
 
 
-def _widest_across(motion: TopMotion) -> float:
-    """ω across e₃ (rad/s) for which the angle between L and ω is largest: √(λ₃/λ₁)|ω₃|."""
-    return math.sqrt(motion.body.lambda3 / motion.body.lambda1) * abs(motion.omega[2])
-
-
 def widest_between(motion: TopMotion) -> bool:
-    """Whether the angle is largest on the way down, not at the lowest point."""
-    lowest = parallel.fastest_across(motion.body, motion.turning_points[0], motion.omega[2])
-    return float(lowest) > _widest_across(motion)
+    """Whether the angle is largest on the way down, where ω across e₃ is √(λ₃/λ₁)|ω₃|."""
+    top, omega3 = motion.body, motion.omega[2]
+    lowest = parallel.fastest_across(top, motion.turning_points[0], omega3)
+    return float(lowest) > math.sqrt(top.lambda3 / top.lambda1) * abs(omega3)
 
 
 def _over_nutations(motion: TopMotion) -> Floats:
@@ -238,20 +233,11 @@ def _over_nutations(motion: TopMotion) -> Floats:
     period = motion.nutation_period
     if not math.isfinite(period):  # upright or hanging, it stays
         return np.linspace(0.0, NUTATIONS * 2 * math.pi / motion.omega[2], 201)
-    if not widest_between(motion):
-        return np.linspace(0.0, NUTATIONS * period, 120 * 2 * NUTATIONS + 1)
-
-    def wanting(t: float) -> float:
-        return math.hypot(*motion.exact(t).omega[0, :2]) - _widest_across(motion)
-
-    # A slow top falls to its largest angle in a small part of the period.
-    first = float(brentq(wanting, 0.0, period / 2, xtol=1e-300, rtol=1e-12))
-    dense = np.append(np.geomspace(first / 50, period / 2, 160), first)
-    even = np.linspace(0.0, period / 2, 121)
-    half = np.unique(np.concatenate([even, np.minimum(dense, period / 2)]))
-    once = np.concatenate([half[:-1], period - half[:0:-1]])
-    starts = period * np.arange(NUTATIONS)
-    return np.append((starts[:, None] + once).ravel(), NUTATIONS * period)
+    half = np.linspace(0.0, 0.5, 121)
+    if widest_between(motion):  # a slow top falls to its largest angle in a small part of it
+        half = np.union1d(half, np.geomspace(1e-12, 0.5, 900))
+    once = np.append(half[:-1], 1 - half[:0:-1])
+    return period * np.append(np.add.outer(np.arange(NUTATIONS), once), NUTATIONS)
 
 
 def draw_parallel(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> None:

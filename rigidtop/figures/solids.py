@@ -64,16 +64,12 @@ class Edges(pen.Part):
     color: str
 
     def on(self, axes: Axes, view: View) -> None:
-        """Draws them."""
         x, y, _ = view(self.rim)
         turn = np.unwrap(np.arctan2(x, y))
         if np.ptp(turn) < math.pi:
-            ends = [self.rim[k] for k in (int(np.argmax(turn)), int(np.argmin(turn)))]
-            pen.draw(
-                axes,
-                [pen.Curve([pen.ORIGIN, end], self.color, 0.6, alpha=0.7) for end in ends],
-                view,
-            )
+            ends = self.rim[[np.argmax(turn), np.argmin(turn)]]
+            lines = [pen.Curve([pen.ORIGIN, end], self.color, 0.6, alpha=0.7) for end in ends]
+            pen.draw(axes, lines, view)
 
 
 def table(radius: float = 0.75) -> pen.Face:

@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 
 from rigidtop.errors import RigidtopError
 from rigidtop.figures import animation
+from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
 from rigidtop.figures.curves import COLOURS, label
 from rigidtop.figures.drawing import Film
@@ -88,14 +89,10 @@ def draw(axes: Axes, places: Floats, attitudes: Floats, row: int) -> None:
     across, up = project(points)
     middle = [(side.max() + side.min()) / 2 for side in (across, up)]
     half = 0.6 * max(float(np.ptp(across)), float(np.ptp(up)), 1e-12)
-    turned = not np.allclose(attitudes, np.eye(3))
     half = half if half > 1e-11 else 1.0
-    length = ALONG * half if turned else 0.0
+    length = 0.0 if np.allclose(attitudes, np.eye(3)) else ALONG * half
     half += length
-    for side, centre in ((axes.set_xlim, middle[0]), (axes.set_ylim, middle[1])):
-        side(centre - half, centre + half)
-    axes.set_aspect("equal")
-    axes.set_axis_off()
+    pen.paper(axes, *((centre - half, centre + half) for centre in middle))
     for first, second in _rods(places):
         ends = np.stack([first[row], second[row]])
         axes.plot(*project(ends), color=look.INK, zorder=2)
