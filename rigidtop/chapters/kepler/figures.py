@@ -36,11 +36,6 @@ def _closed(epsilon: float) -> tuple[Floats, Floats]:
 # --- Conics --------------------------------------------------------------------------------------
 
 
-def _at_height(path: tuple[Floats, Floats], height: float) -> tuple[float, float]:
-    """The point of a path that opens to the left at which y is so much."""
-    return float(np.interp(height, path[1], path[0])), height
-
-
 def draw_conics(axes: Axes, epsilon: float) -> None:
     """Four orbits with one semi-latus rectum, and the letters of (1.5) at the ellipse."""
     long = np.linspace(-9.0, 9.0, 721)
@@ -48,7 +43,8 @@ def draw_conics(axes: Axes, epsilon: float) -> None:
     far, near = -1.0 / (1 - epsilon), 1.0 / (1 + epsilon)
     [planet] = np.transpose(places(epsilon, np.array([0.22 * period(1.0, epsilon)])))
     turn = bow(0.3, 0.0, math.atan2(planet[1], planet[0]))
-    first, second = _at_height(parabola, 2.2), _at_height(hyperbola, 2.2)
+    high = 2.2  # of the names of what opens to the left
+    first, second = ((np.interp(high, y, x), high) for x, y in (parabola, hyperbola))
     parts: list[pen.Part] = [
         pen.Curve(_closed(0.0), look.GREY, 1.4, z=3),
         pen.Words((-0.94, -0.34), r"$\varepsilon=0$", (-2, 0), look.GREY, "right", "top"),

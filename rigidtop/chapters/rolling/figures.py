@@ -156,10 +156,6 @@ def _film(**values: float) -> Film:
     return film(look.COLUMN, 3.6, lambda share, axes: draw_room(axes, **values, share=share))
 
 
-def _circle_facts(d: float, v: float, turn: float) -> dict[str, Any]:
-    return {"radius": 7 * v / (2 * turn), "time": 7 * math.pi / turn}
-
-
 CIRCLE = Drawing(
     "circle",
     "A ball on a turntable",
@@ -172,7 +168,7 @@ CIRCLE = Drawing(
     "Two round tables from above. On the left the ball goes round in a circle of {radius} m about "
     "a point c that is not the axis of the table; on the right, from the table, its path winds "
     "about the axis seven times and closes.",
-    _circle_facts,
+    lambda d, v, turn: {"radius": 7 * v / (2 * turn), "time": 7 * math.pi / turn},
     _film,
 )
 

@@ -77,20 +77,19 @@ def risen(spin: float, f: float) -> SlidingTrajectory:
     return motion.integrate(np.linspace(0.0, SHOWN, 401))
 
 
-def draw_ball(axes: Axes, e: Floats, at: float = 0.0) -> None:
+def ball(e: Floats, at: float = 0.0) -> list[pen.Part]:
     """The ball with a lid and a stem along its axis `e`, so many radii to the right."""
     place = at * VIEW.axes[0]
     belt, rim = circle(e, math.pi / 2), circle(e, LID)
     away = np.full(len(rim), bool(e @ VIEW.axes[2] < 0))
     stem = np.outer([math.cos(LID), 1.6], e)
-    parts = [
+    return [
         pen.Face(circle(VIEW.axes[2], math.pi / 2) + place, look.MANTLE, look.EDGE, z=1.4),
         pen.Curve(belt + place, look.EDGE, 0.8, hidden=VIEW(belt)[2] < 0),
         pen.Face(rim + place, look.FACE, z=1.6, normal=e),
         pen.Curve(rim + place, look.EDGE, 0.7, hidden=away),
         pen.Curve(stem + place, look.AXIS, 2.5, z=1.3 if away[0] else 3),
     ]
-    pen.draw(axes, parts, VIEW)
 
 
 def draw_energy(axes: Axes, run: SlidingTrajectory, last: int = -1) -> None:
@@ -113,11 +112,11 @@ def _rise(spin: float, f: float) -> Canvas:
     grid = drawn.add_gridspec(2, 2, height_ratios=(1, 1.6))
     flashes, tilt, energy = (drawn.add_subplot(grid[k]) for k in (slice(0, 2), 2, 3))
     rows = slice(None, None, 100)
+    balls: list[pen.Part] = []
     for k, (time, axis) in enumerate(zip(run.t[rows], run.e3[rows], strict=True)):
-        draw_ball(flashes, axis, 3.6 * k)
         word = pen.Words((3.6 * k, -1.6), f"{time:g} s", (0, -8), look.NOTE, "center", size=8)
-        pen.draw(flashes, [word])
-    pen.paper(flashes, (-1.8, 16.2), (-2.2, 1.7))
+        balls += [*ball(axis, 3.6 * k), word]
+    pen.picture(flashes, balls, (-1.8, 16.2), (-2.2, 1.7), VIEW)
     curve = np.column_stack([run.t, np.degrees(run.theta)])
     parts = [pen.Curve(curve, look.FIRST), pen.Mark(curve[rows], look.AXIS, 4)]
     limits = {"xlim": (0, SHOWN), "ylim": (0, 185)}
@@ -130,10 +129,9 @@ def _film(spin: float, f: float) -> Film:
     """The ball, and its energy until now."""
     run = risen(spin, f)
 
-    def show(share: float, ball: Axes, energy: Axes) -> None:
+    def show(share: float, top: Axes, energy: Axes) -> None:
         row = 1 + round(share * (len(run.t) - 2))
-        draw_ball(ball, run.e3[row])
-        pen.paper(ball, (-1.9, 1.9), (-1.9, 1.9))
+        pen.picture(top, ball(run.e3[row]), (-1.9, 1.9), (-1.9, 1.9), VIEW)
         draw_energy(energy, run, row)
 
     return film(look.TEXT, 2.5, show, (0.0, 0.0, 0.42, 1.0), (0.54, 0.2, 0.43, 0.74))
