@@ -164,8 +164,7 @@ def _striped(
 
 
 def _rolling(lambda1: float, lambda3: float, lambda3_right: float, **omega: float) -> list[Motion]:
-    moments = ((lambda1, lambda3), (lambda1, lambda3_right))
-    return [free_motion(first, third, **omega) for first, third in moments]
+    return [free_motion(lambda1, third, **omega) for third in (lambda3, lambda3_right)]
 
 
 def _rolling_film(low: float = -0.5, **values: float) -> Film:
@@ -201,11 +200,9 @@ def _touching(motion: Motion, side: str) -> str:
 def _rolling_facts(**values: float) -> dict[str, Any]:
     facts: dict[str, Any] = {}
     for side, motion in zip(("left", "right"), _rolling(**values), strict=True):
-        body, space = np.degrees(_half_angles(motion))
-        lambda1, _, lambda3 = motion.body.moments
-        facts[f"body_{side}"], facts[f"space_{side}"] = body, space
+        facts[f"body_{side}"], facts[f"space_{side}"] = np.degrees(_half_angles(motion))
         facts[f"rate_{side}"] = motion.mean_precession
-        facts[f"relation_{side}"] = _relation(lambda1, lambda3)
+        facts[f"relation_{side}"] = _relation(*motion.body.moments[1:])
         facts[f"touching_{side}"] = _touching(motion, side)
     return facts
 

@@ -211,9 +211,8 @@ def _draw_spinning(axes: Axes, **values: float) -> None:
 def _film(**values: float) -> Film:
     """A turn of precession, on the mean; the spin as slow as the motion is."""
     motion = _motion_spinning(**values)
-    rate = abs(motion.mean_precession)
-    last = 2 * math.pi / rate if rate else float(nutation_times(motion, 2)[-1])
-    last = min(last, 8 * float(nutation_times(motion, 2)[-1]))
+    rate, some = abs(motion.mean_precession), float(nutation_times(motion, 2)[-1])
+    last = min(2 * math.pi / rate, 8 * some) if rate else some
 
     def show(share: float, axes: Axes) -> None:
         now = share * last

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from matplotlib.axes import Axes
 from scipy.interpolate import CubicHermiteSpline
+from scipy.spatial.transform import Rotation
 
 from rigidtop.figures import picture as pen
 from rigidtop.figures import style as look
@@ -133,32 +134,24 @@ def pair(moments: Moments, chi: float) -> Pair:
     t = np.linspace(0.0, SHOWN, 1501)
     motions = system().motions(parameters(moments, 1.0), begin, rates)
     q, qdot = motions.integrate(t, rtol=1e-12, atol=1e-14)
-    states = np.concatenate([vertical(q), body_rates(q, qdot)], axis=-1)
-    return Pair(t, tips(q), np.linalg.norm(states[1] - states[0], axis=-1))
+    axes = attitudes(q)
+    states = np.concatenate([axes[..., 2, :], body_rates(q, qdot)], axis=-1)
+    return Pair(t, axes[..., 0], np.linalg.norm(states[1] - states[0], axis=-1))
 
 
-def vertical(q: Floats) -> Floats:
-    """γ₁, γ₂ and γ₃ (…, 3)."""
-    theta, psi = q[..., 1], q[..., 2]
-    flat = np.sin(theta)
-    return np.stack([-flat * np.cos(psi), flat * np.sin(psi), np.cos(theta)], axis=-1)
+def attitudes(q: Floats) -> Floats:
+    """e₁, e₂ and e₃ in space (…, 3, 3), as columns; the last row is γ₁, γ₂ and γ₃."""
+    turns = Rotation.from_euler("ZYZ", q.reshape(-1, 3))
+    return np.asarray(turns.as_matrix().reshape(*q.shape, 3))
 
 
 def body_rates(q: Floats, qdot: Floats) -> Floats:
     """ω₁, ω₂ and ω₃ (…, 3)."""
-    gamma, psi = vertical(q), q[..., 2]
+    gamma, psi = attitudes(q)[..., 2, :], q[..., 2]
     zero = np.zeros_like(psi)
     nodes = np.stack([np.sin(psi), np.cos(psi), zero], axis=-1)
     spin = np.stack([zero, zero, qdot[..., 2]], axis=-1)
     return np.asarray(qdot[..., :1] * gamma + qdot[..., 1:2] * nodes + spin)
-
-
-def tips(q: Floats) -> Floats:
-    """e₁ in space (…, 3)."""
-    (s, c), (over, flat), (turn, straight) = ((np.sin(x), np.cos(x)) for x in np.moveaxis(q, -1, 0))
-    return np.stack(
-        [c * flat * straight - s * turn, s * flat * straight + c * turn, -over * straight], axis=-1
-    )
 
 
 def exponent(two: Pair) -> tuple[float, float]:

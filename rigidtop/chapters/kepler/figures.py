@@ -120,7 +120,7 @@ def _film(epsilon: float) -> Film:
 
 def _facts(epsilon: float) -> dict[str, Any]:
     half = 0.5 * period(1.0, epsilon) / PARTS
-    ends = np.array([half, PARTS * half - half, PARTS * half + half])
+    ends = half * np.array([1, PARTS - 1, PARTS + 1])
     near, first, last = orbit(1.0, epsilon).integrate(ends).q[:, 1]
     return {"wide": 2 * float(near), "narrow": float(last - first), "parts": PARTS}
 
