@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -83,29 +84,26 @@ def filmed(run: Any, path: str, duration: float | None) -> None:
 
 def draw(axes: Axes, places: Floats, attitudes: Floats, row: int) -> None:
     """The parts at one row: points, their paths so far, rods, the axes of bodies."""
-    flat = not np.any(places[..., 2]) and np.allclose(attitudes, np.eye(3))
-    project = (lambda p: (p[..., 0], p[..., 1])) if flat else (lambda p: View(0.7)(p)[:2])
-    points = np.concatenate([places.reshape(-1, 3), np.zeros((1, 3))])
-    across, up = project(points)
-    middle = [(side.max() + side.min()) / 2 for side in (across, up)]
-    half = 0.6 * max(float(np.ptp(across)), float(np.ptp(up)), 1e-12)
+    turned = not np.allclose(attitudes, np.eye(3))
+    flat = not turned and not np.any(places[..., 2])
+    view = View(-math.pi / 2, math.pi / 2) if flat else View(0.7)  # flat: x̂ right and ŷ up
+    sides = view(np.vstack([places.reshape(-1, 3), pen.ORIGIN]))[:2]
+    half = 0.6 * max(float(np.ptp(side)) for side in sides)
     half = half if half > 1e-11 else 1.0
-    length = 0.0 if np.allclose(attitudes, np.eye(3)) else ALONG * half
-    half += length
-    pen.paper(axes, *((centre - half, centre + half) for centre in middle))
-    for first, second in _rods(places):
-        ends = np.stack([first[row], second[row]])
-        axes.plot(*project(ends), color=look.INK, zorder=2)
-    axes.plot(*project(np.zeros((1, 3))), marker="+", color=look.GREY, zorder=1)
+    length = ALONG * half
+    room = half + length * turned
+    middles = ((side.max() + side.min()) / 2 for side in sides)
+    across, up = ((middle - room, middle + room) for middle in middles)
+    parts: list[pen.Part] = [pen.Mark(pen.ORIGIN, look.GREY, 6, "+", 1)]
+    parts += [pen.Curve([first[row], second[row]], lw=1.3) for first, second in _rods(places)]
     for k, (path, turning) in enumerate(zip(places, attitudes, strict=True)):
-        colour = COLOURS[k % len(COLOURS)]
-        axes.plot(*project(path[: row + 1]), color=colour, linewidth=0.6, alpha=0.6, zorder=1)
-        axes.plot(*project(path[row : row + 1]), marker="o", markersize=7, color=colour, zorder=3)
-        if np.allclose(turning, np.eye(3)):
-            continue
-        for axis, shade in zip(turning[row].T, (look.SECOND, look.THIRD, look.FIRST), strict=True):
-            end = np.stack([path[row], path[row] + length * axis])
-            axes.plot(*project(end), color=shade, zorder=2)
+        color = COLOURS[k % len(COLOURS)]
+        parts.append(pen.Curve(path[: row + 1], color, 0.6, z=1, alpha=0.6))
+        parts.append(pen.Mark(path[row], color, 7, z=3))
+        if not np.allclose(turning, np.eye(3)):
+            ends = zip(turning[row].T, (look.SECOND, look.THIRD, look.FIRST), strict=True)
+            parts += [pen.Curve([path[row], path[row] + length * e], c, 1.3) for e, c in ends]
+    pen.picture(axes, parts, across, up, view)
 
 
 def _rods(places: Floats) -> list[tuple[Floats, Floats]]:
