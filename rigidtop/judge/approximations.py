@@ -297,8 +297,9 @@ def _scalings(question: Question, worlds: Worlds) -> list[Scaling]:
     """What may be small or large here: what is said to be, before what is only possible."""
     limits = [x for x in question.context.limits if x.sentence == question.at.sentence]
     if limits:
-        tending = (tending_to(x.letter, x.large, worlds) for x in limits)
-        return [each for each in tending if each is not None]
+        tending = [tending_to(x.letter, x.large, worlds) for x in limits]
+        if any(tending) or not question.at.large:
+            return [each for each in tending if each is not None]
     if question.context.compared == question.at.sentence and (here := _little(question, worlds)):
         return here[-1:]  # said in the same sentence
     which = "large" if question.at.large else "small" if question.at.small else ""

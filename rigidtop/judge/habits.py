@@ -91,6 +91,7 @@ def _passed(read: Sequence[Statement], moving: Collection[Letter]) -> set[Letter
         names = n.letters(right)
         places = {x for x in names if x.base in _PLACES and not (x.sub or x.bold)}
         is_speed = isinstance(speed, Letter) and speed.base in SPEEDS and speed in moving
+        is_speed &= not isinstance(right, Letter)  # ω = s is a value
         if is_speed and not names & {*moving, CLOCK} and len(places) == 1 and not places & timed:
             passed |= places
     return passed

@@ -18,7 +18,7 @@ from rigidtop.judge.context import START, Context
 from rigidtop.judge.equality import ALL_VANISH
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.letters import CLOCK
-from rigidtop.judge.neighbours import around, is_steady
+from rigidtop.judge.neighbours import STEADY, around, is_steady
 from rigidtop.judge.outcome import (
     DEFINITION,
     FALSE,
@@ -274,6 +274,16 @@ class _Answer:
             again = _judged(quick, other, at, self.contexts, limits)
             if verdict == UNDECIDED or any(outcome.passed for outcome, _ in again):
                 each, judgements = other, again
+        if is_steady(self.contexts[0]) and not any(outcome.passed for outcome, _ in judgements):
+            # Beside a steady motion "=" is often written to first order.
+            again = _judged(quick, each, at.hearing(Cue.SMALL), self.contexts, limits)
+            if any(outcome.passed for outcome, _ in again):
+                return each, again
+        vector = variants.of_whole_vector(each, self.contexts)
+        if vector is not None and any(outcome.passed for outcome, _ in judgements):
+            again = _judged(quick, vector, at, self.contexts, limits)
+            if any(outcome.passed for outcome, _ in again):
+                return vector, again
         return each, judgements
 
     def _after_example(
@@ -328,7 +338,7 @@ class _Answer:
             outcome = replace(there, why=linear.TO_FIRST_ORDER)
         elif there.verdict == FALSE and outcome.verdict == UNDECIDED:
             outcome = there
-        return known, outcome
+        return linear.remembering(each, there, at.number, known), outcome
 
     def _is_beside(self, at: Situation) -> bool:
         """Whether a statement stands in the sentence, or in the item of a list, of an aside."""
@@ -336,11 +346,17 @@ class _Answer:
         return at.sentence == self.aside_sentence or item
 
     def _holds_then(self, each: Statement, at: Situation, limits: _Limits) -> bool:
-        """Whether it is right at the moment, if there is one, of which the line before speaks."""
-        if not self.moment or at.instant:
+        """Whether it is right at the moment of which the line before speaks, or of steady motion.
+
+        Words speak of the latter: "θ₀ is the angle with φ̇ = Ω".
+        """
+        moment = self.moment
+        if not moment and at.inline and is_steady(self.contexts[0]):
+            moment = STEADY
+        if not moment or at.instant:
             return False
         quick = Judge(self.judge.memory, patience=Patience(0))
-        then = replace(at, instant=self.moment)
+        then = replace(at, instant=moment)
         *sides, last = each.sides
         zeros = sides if last == ZERO and {*each.relations} == {"="} else []
         parts = [replace(each, sides=(x, ZERO), relations=("=",)) for x in zeros] or [each]

@@ -134,7 +134,8 @@ def comes_to(goal: Statement, sound: Sequence[Statement], context: Context) -> b
     written = frozenset().union(*map(_letters, sound))
     tying = written - context.given - context.declared - context.definitions.keys() - allowed
     allowed |= tying
-    said = [each for each in sound if _is_said_in(each, allowed, goal, context)]
+    spelt = _spelt_slopes(sound)
+    said = [each for each in sound if _is_said_in(each, allowed, goal, spelt, context)]
     if not said:
         return False
     # Who speaks of the length of a vector speaks of that.
@@ -365,12 +366,34 @@ def head(node: Node) -> Node:
     return node
 
 
+def _spelt_slopes(sound: Iterable[Statement]) -> frozenset[Node]:
+    """The derivatives of which is said what they are, as ∂ℒ/∂φ̇ = λ₁ φ̇ sin² θ + …"""
+
+    def spells(side: Node) -> bool:
+        return isinstance(side, n.Sum | n.Product | n.Group) and not any(
+            isinstance(x, n.Derivative) for x in n.walked(side)
+        )
+
+    return frozenset(
+        side
+        for each in sound
+        if any(map(spells, each.sides))
+        for side in each.sides
+        if isinstance(side, n.Derivative)
+    )
+
+
 def _is_said_in(
-    each: Statement, allowed: frozenset[Letter], goal: Statement, context: Context
+    each: Statement,
+    allowed: frozenset[Letter],
+    goal: Statement,
+    spelt: frozenset[Node],
+    context: Context,
 ) -> bool:
     """Whether a statement has letters that may stand in the goal, and no derivative but there.
 
-    That something is constant may be said of ∂ℒ/∂φ̇, in which no other letters are left.
+    That something is constant may be said of ∂ℒ/∂φ̇, in which no other letters are left, if that
+    is `spelt` out.
     """
     if not {*each.relations} <= {*EQUALS, *NEARLY}:
         return False
@@ -383,7 +406,8 @@ def _is_said_in(
         return False
     if _letters(each) - ALWAYS <= allowed:
         return True
-    if not constant:
+    slopes = {x for s in each.sides for x in n.walked(s) if isinstance(x, n.Derivative)}
+    if not constant or not slopes <= spelt:
         return False
     try:
         spoken = {x for gap in _gaps(each, context) for x in _jets(gap)}

@@ -62,7 +62,7 @@ def asserted(
             continue  # what is left out is not said
         if is_time(each):
             continue  # a moment: what is said of it has its own place there
-        if _is_transformation(each) or _is_notation(each):
+        if _is_transformation(each, names) or _is_notation(each):
             continue
         at = situation(passage, number, moments[number], False, declared)
         if _TRIED.match(passage.before) or _is_measured(passage, each, facts):
@@ -154,9 +154,12 @@ def _moving(context: Context) -> frozenset[Letter]:
     return context.habits.moving | vectors
 
 
-def _is_transformation(each: Statement) -> bool:
-    """Whether something is put for a letter that stands in it too, as in φ → φ + ε."""
-    return each.relations == ("→",) and each.sides[0] in n.letters(each.sides[1])
+def _is_transformation(each: Statement, names: Names) -> bool:
+    """Whether something is put for a letter: φ → φ + ε, or s → c for the slopes of sin and cos."""
+    if each.relations != ("→",):
+        return False
+    left, right = each.sides
+    return left in n.letters(right) or bool(n.letters(right) | {left} <= names.defined)
 
 
 def _is_notation(each: Statement) -> bool:

@@ -9,6 +9,7 @@ from sympy import Expr, Integer, Symbol
 
 from rigidtop.judge.context import LAW, Constraint, Context
 from rigidtop.judge.jets import Jet, jets, symbol
+from rigidtop.judge.outcome import Outcome
 from rigidtop.judge.sides import NEARLY, ZERO
 from rigidtop.judge.vocabulary import Meant
 from rigidtop.tree import nodes as n
@@ -42,6 +43,16 @@ def linearised(each: Statement, small: bool, number: int, context: Context) -> C
     still = Constraint(Meant(rate), Meant(Integer(0)), number, LAW)
     kept = (c for c in context.constraints if c is not laws[0])
     return replace(context, constraints=(*kept, still))
+
+
+def remembering(each: Statement, outcome: Outcome, number: int, context: Context) -> Context:
+    """What is known with an equation for one component, if it follows: exp(κ t) is put into it."""
+    left, *_, right = each.sides
+    if not (outcome.passed and each.relations == ("=",) and isinstance(left, n.Rate)):
+        return context
+    if left.order < 2:
+        return context
+    return context.holding(Constraint(left, right, number, LAW))
 
 
 def _value(node: n.Node) -> Expr | None:

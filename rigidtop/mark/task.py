@@ -335,15 +335,17 @@ def _turned(together: Together) -> Together:
 
 
 def _leads(start: str, goal: str, pages: Lecture) -> bool:
-    """Whether the goal rests on the start, or stands behind it on the same page."""
+    """Whether the goal rests on the start, or on what that rests on and stands behind it."""
     first, last = pages.names[start], pages.names[goal]
     if first == last:
         return False
-    if any({*first} & {*pages.above(id)} for id in last):
+    above = {x for id in last for x in pages.above(id)}
+    if {*first} & above:
         return True
     lines = list(pages.lines)
     same_page = pages.lines[first[0]].file == pages.lines[last[0]].file
-    return same_page and lines.index(first[-1]) < lines.index(last[0])
+    related = same_page or bool({x for id in first for x in pages.above(id)} & above)
+    return related and lines.index(first[-1]) < lines.index(last[0])
 
 
 def _way(start: str, results: Sequence[str], pages: Lecture) -> tuple[Step, ...]:

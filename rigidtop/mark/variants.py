@@ -10,6 +10,7 @@ from sympy import ImmutableMatrix
 
 from rigidtop.judge.context import Context, Definition
 from rigidtop.judge.meaning import AT_REST, IN_BODY
+from rigidtop.judge.sides import ZERO
 from rigidtop.judge.vocabulary import Meant
 from rigidtop.mark.facts import GIVEN
 from rigidtop.tree import nodes as n
@@ -125,6 +126,18 @@ def of_vectors(each: Statement, contexts: Sequence[Context]) -> Statement | None
 
     sides = tuple(n.mapped(side, seen) for side in each.sides)
     return replace(each, sides=sides) if sides != each.sides else None
+
+
+def of_whole_vector(each: Statement, contexts: Sequence[Context]) -> Statement | None:
+    """ω̇ = 0 or ω = const of the vector **ω**, which says more than of its length."""
+    given = frozenset().union(*(context.given for context in contexts))
+    match each.sides:
+        case (n.Rate(Letter(bold=False) as letter) | (Letter(bold=False) as letter), right):
+            bold = replace(letter, bold=True)
+            if bold in given and (right == ZERO or isinstance(right, n.Constant)):
+                left = n.mapped(each.sides[0], lambda x: bold if x == letter else x)
+                return replace(each, sides=(left, right))
+    return None
 
 
 def with_vector(each: Statement, contexts: Sequence[Context]) -> Statement | None:

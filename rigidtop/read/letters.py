@@ -11,6 +11,7 @@ from rigidtop.read.grammar import Grammar
 from rigidtop.read.tokens import written
 from rigidtop.tree.nodes import (
     Average,
+    Group,
     Letter,
     Node,
     Order,
@@ -61,11 +62,14 @@ def dotted(grammar: Grammar) -> Node:
 
 
 def bold(grammar: Grammar) -> Node:
-    grammar.take()
+    """A bold letter; what is longer and underlined is a result, and no vector."""
+    command = grammar.take().text
     argument = grammar.argument()
     if written(argument) == "∇":
         return sloped(grammar)
     of = _name(grammar.node_of(argument))
+    if command == r"\underline" and not isinstance(of, Letter | Rate | Primed):
+        return Group(of)
     return mapped(of, lambda x: replace(x, bold=True) if isinstance(x, Letter) else x)
 
 

@@ -28,6 +28,11 @@ from rigidtop.read.prose import prose_of
 from rigidtop.read.walk import Formula
 
 _OPEN_ENDED = re.compile(r"(?:=|≈|\\(?:equiv|approx|simeq))\s*\Z")
+_TENDING = re.compile(r"(?:→|\\(?:to|rightarrow))\s*\Z")
+_FAR = re.compile(
+    r"\s*(?:(?:very|sehr|très) )?(?:large|infinity|unendlich|groß|grand|l.infini)\b", re.I
+)
+_NEAR = re.compile(r"\s*(?:zero|null|zéro|(?:(?:very|sehr|très) )?(?:small|klein|petit))\b", re.I)
 CONSTANT = re.compile(r"(?:const|konst|constante?|konstant|costante|cs?te|cst)\b", re.I)
 """A word that stands for something constant."""
 
@@ -82,6 +87,11 @@ def _completed(passage: Passage) -> Passage:
     """A passage with its last side, where that is the word behind it: $E = $ const."""
     if _OPEN_ENDED.search(passage.text) and CONSTANT.match(passage.behind):
         return replace(passage, text=passage.text + r"\text{const}")
+    if _TENDING.search(passage.text):
+        if _FAR.match(passage.behind):
+            return replace(passage, text=passage.text + r"\infty")
+        if _NEAR.match(passage.behind):
+            return replace(passage, text=passage.text + "0")
     return passage
 
 

@@ -159,7 +159,8 @@ def _opened(items: Sequence[Token]) -> list[Token]:
         if states and last is not None and last.text in BOLD:
             bold = found.pop()
             for each in _opened(token.group):
-                found += [bold, each] if each.kind == "letter" else [each]
+                is_bold = each.kind == "letter" and bold.text != r"\underline"
+                found += [bold, each] if is_bold else [each]
         elif states and (last is None or not (last.kind == "command" or last.text in ("_", "^"))):
             found += _opened(token.group)
         else:
@@ -170,7 +171,10 @@ def _opened(items: Sequence[Token]) -> list[Token]:
 def _relates(items: Sequence[Token]) -> bool:
     """Whether there is a relation among tokens, and not only the index of I_⊥."""
     signs = [i for i, token in enumerate(items) if token.kind == "relation"]
-    return any(not i or items[i - 1].text not in ("_", "^") for i in signs)
+    lined = [x for i, x in enumerate(items) if i and items[i - 1].text == r"\underline"]
+    return any(not i or items[i - 1].text not in ("_", "^") for i in signs) or any(
+        _relates(x.group) for x in lined if x.kind == "group"
+    )
 
 
 def _closes(items: Sequence[Token], start: int) -> bool:

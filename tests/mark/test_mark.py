@@ -439,6 +439,11 @@ def test_on_both_sides_of_const_stands_the_same(source, found):
     ("goal", "source", "arrives"),
     [
         ("3.55", r"$$\dot p_\phi = 0$$", False),
+        (
+            "3.55",
+            r"$$\frac{d}{dt}\frac{\partial\mathcal L}{\partial\dot\phi} = 0$$",
+            False,
+        ),
         ("3.56", r"$$\dot p_\psi = 0$$", False),
         ("3.56", r"$$\dot L_3 = 0$$", False),
         ("3.56", r"$$L_3 = \text{const}$$", False),
