@@ -35,13 +35,13 @@ from rigidtop.theory.rotation import (
     rotation_z,
     total_derivative,
 )
-from rigidtop.theory.symbols import Glyph, Quantity
+from rigidtop.theory.symbols import Glyph, VocabularyEntry
 
 _model = partial(Model, exists=is_a_body)
 
 
 def _lettered(name: str, glyph: Glyph, meaning: str = "") -> Symbol:
-    return Lettered(name, Quantity(glyph, meaning, ""), real=True)
+    return Lettered(name, VocabularyEntry(glyph, meaning, ""), real=True)
 
 
 def _dotted(symbol: Symbol) -> Symbol:

@@ -28,7 +28,18 @@ import sympy
 from sympy import Derivative, Dummy, Expr, Subs
 from sympy.core.function import AppliedUndef
 
-from rigidtop.codegen.nodes import ZERO, Call, Leaf, Node, Number, Power, Product, Sum, Value, parts
+from rigidtop.codegen.nodes import (
+    ZERO,
+    CallNode,
+    Leaf,
+    Node,
+    Number,
+    PowerNode,
+    ProductNode,
+    SumNode,
+    Value,
+    parts,
+)
 from rigidtop.codegen.points import DIGITS, NotRealError, decimal, generic, number_of, points
 from rigidtop.errors import RigidtopError
 
@@ -102,12 +113,12 @@ class Graph:
         analytic = all(self._analytic[k] for _, k in items)
         if analytic and abs(number) < DIGITS.ldexp(max(map(abs, numbers)), -SAME):
             return ZERO
-        made = self._grouped(Sum, items, lambda k: (1, k))
-        return self._times(scale, self._node(Sum(made), number, analytic, frozenset(items)))
+        made = self._grouped(SumNode, items, lambda k: (1, k))
+        return self._times(scale, self._node(SumNode(made), number, analytic, frozenset(items)))
 
     def _flat(self, values: Iterable[Value]) -> Iterator[Value]:
         for c, k in values:
-            if c == 1 and self._items[k] and isinstance(self.nodes[k], Sum):
+            if c == 1 and self._items[k] and isinstance(self.nodes[k], SumNode):
                 yield from self._items[k]
             elif c != 0:
                 yield c, k
@@ -138,7 +149,9 @@ class Graph:
             number /= self.numbers[k]
         items = frozenset(over) if not under else frozenset()
         analytic = all(self._analytic[k] for k in (*over, *under))
-        node = Product(*(self._grouped(Product, group, lambda k: k) for group in (over, under)))
+        node = ProductNode(
+            *(self._grouped(ProductNode, group, lambda k: k) for group in (over, under))
+        )
         return self._times(scale, self._node(node, number, analytic, items))
 
     def whole(self, value: Value) -> Value:
@@ -150,7 +163,7 @@ class Graph:
         if abs(c) == 1 or k == 0 or c == 0:
             return value
         size = abs(c)
-        node = Sum(((size, k),))
+        node = SumNode(((size, k),))
         made = self._node(node, self.number((size, k)), self._analytic[k])
         return self._times(_sign(c), made)
 
@@ -182,13 +195,13 @@ class Graph:
             number = getattr(DIGITS, function.__name__)(*numbers)
         else:
             number = number_of(function(*map(decimal, numbers)))
-        return self._node(Call(function, tuple(arguments)), number, analytic)
+        return self._node(CallNode(function, tuple(arguments)), number, analytic)
 
     def _factors(self, k: int) -> Iterator[tuple[Value, Number]]:
         node = self.nodes[k]
-        if isinstance(node, Power):
+        if isinstance(node, PowerNode):
             yield node.base, node.exponent
-        elif isinstance(node, Product) and not (node.above and node.below):
+        elif isinstance(node, ProductNode) and not (node.above and node.below):
             for sign, group in ((1, node.above), (-1, node.below)):
                 for each in group:
                     yield from ((base, sign * e) for base, e in self._factors(each))
@@ -202,7 +215,7 @@ class Graph:
         if not isinstance(number, DIGITS.mpf):
             raise NotRealError(f"a power with the exponent {exponent}")
         analytic = isinstance(exponent, int) and self._analytic[base[1]]
-        return self._node(Power(base, exponent), number, analytic, signed=False)[1]
+        return self._node(PowerNode(base, exponent), number, analytic, signed=False)[1]
 
     def _times(self, scale: Number, value: Value) -> Value:
         return (scale * value[0], value[1]) if scale != 0 else ZERO
@@ -289,17 +302,17 @@ class Graph:
 
     def _rate(self, k: int, along: Direction) -> Value:
         node, known = self.nodes[k], along.known
-        if isinstance(node, Sum):
+        if isinstance(node, SumNode):
             return self.total(self._times(c, known[j]) for c, j in node.terms)
-        if isinstance(node, Product):
+        if isinstance(node, ProductNode):
             return self.total(self._of_product(k, node, known))
-        if isinstance(node, Power):
+        if isinstance(node, PowerNode):
             rate = self._times(node.base[0], known[node.base[1]])
             if rate == ZERO:
                 return ZERO
             slope = self.power(node.base, node.exponent - 1)
             return self._times(node.exponent, self.product([slope, rate]))
-        if isinstance(node, Call):
+        if isinstance(node, CallNode):
             rates = [self._times(c, known[j]) for c, j in node.arguments]
             return self.total(
                 self.product([self._slope(node, i), rate])
@@ -316,7 +329,7 @@ class Graph:
             for x in sorted(moved, key=str)
         )
 
-    def _of_product(self, k: int, node: Product, known: Mapping[int, Value]) -> Iterator[Value]:
+    def _of_product(self, k: int, node: ProductNode, known: Mapping[int, Value]) -> Iterator[Value]:
         for i, j in enumerate(node.above):
             if known[j] != ZERO:
                 others = [(1, x) for x in (*node.above[:i], *node.above[i + 1 :])]
@@ -326,7 +339,7 @@ class Graph:
                 share = self.product([(1, k), known[j]], [(1, j)])
                 yield self._times(-1, share)
 
-    def _slope(self, node: Call, i: int) -> Value:
+    def _slope(self, node: CallNode, i: int) -> Value:
         """∂f/∂xᵢ."""
         slopes = _slopes(node.function, len(node.arguments))
         assert slopes is not None  # or else it would be a leaf

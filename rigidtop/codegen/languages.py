@@ -40,7 +40,7 @@ from sympy.printing.octave import OctaveCodePrinter
 
 from rigidtop.codegen.lines import StraightLine, in_pieces
 from rigidtop.codegen.source import INDENT, WIDTH, Printer, body, broken, signature
-from rigidtop.codegen.values import Line, Value, Values
+from rigidtop.codegen.values import ClaimLine, ClaimOutputs, Output
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.page import Assumption
 from rigidtop.theory.lettered import Lettered
@@ -66,7 +66,7 @@ def plain(tree: Basic) -> str:
     return f"{tree.lhs} {tree.rel_op} {tree.rhs}" if isinstance(tree, Relational) else str(tree)
 
 
-def source(made: Values, language: str, shown: Callable[[Expr], str] = plain) -> Source:
+def source(made: ClaimOutputs, language: str, shown: Callable[[Expr], str] = plain) -> Source:
     """What a claim has to evaluate, as a file in one of `LANGUAGES`.
 
     `shown` writes equations, conditions and symbols in the comment.  Names that a language
@@ -91,7 +91,7 @@ def function_name(claim: str) -> str:
 
 
 @dataclass(frozen=True)
-class Program:
+class Routine:
     """A function before it is written: names that the language takes, and expressions in them."""
 
     name: str
@@ -107,12 +107,12 @@ class Program:
 class Language:
     """What `source` has to know of a language."""
 
-    file: Callable[[Program], Iterable[str]]
+    file: Callable[[Routine], Iterable[str]]
     reserved: frozenset[str]
     ignores_case: bool = False
 
 
-def _program(made: Values, language: Language, shown: Callable[[Expr], str]) -> Program:
+def _program(made: ClaimOutputs, language: Language, shown: Callable[[Expr], str]) -> Routine:
     taken = set(language.reserved)
     name = _free_name(function_name(made.claim), taken, language.ignores_case)
     taken.add(f"{name}_module")
@@ -137,7 +137,7 @@ def _program(made: Values, language: Language, shown: Callable[[Expr], str]) -> 
     shared, reduced = in_pieces(shared, reduced, fresh)
     arguments = [(symbols[x], _argument(x, shown)) for x in made.arguments]
     results = [(o, _output(v, shown)) for o, v in zip(outputs, made.outputs, strict=True)]
-    return Program(
+    return Routine(
         name,
         tuple(_about(made, name, shown)),
         tuple(_aligned(arguments)),
@@ -177,7 +177,7 @@ def shared_parts(
     return shared, reduced[: len(expressions)]
 
 
-def _about(made: Values, name: str, shown: Callable[[Expr], str]) -> Iterator[str]:
+def _about(made: ClaimOutputs, name: str, shown: Callable[[Expr], str]) -> Iterator[str]:
     """Name, claim, equations, axes, conditions."""
     yield from textwrap.wrap(f"{name}: {unmarked(made.says)}", WIDTH - 8)
     yield ""
@@ -204,7 +204,7 @@ def _about(made: Values, name: str, shown: Callable[[Expr], str]) -> Iterator[st
     yield ""
 
 
-def _conditions(line: Line, shown: Callable[[Expr], str]) -> str:
+def _conditions(line: ClaimLine, shown: Callable[[Expr], str]) -> str:
     return "; ".join(dict.fromkeys(_condition(c, shown) for c in line.assuming))
 
 
@@ -230,7 +230,7 @@ def _argument(symbol: Symbol, shown: Callable[[Expr], str]) -> str:
     return ", ".join(filter(None, [letter, unmarked(quantity.meaning)])) + unit
 
 
-def _output(value: Value, shown: Callable[[Expr], str]) -> str:
+def _output(value: Output, shown: Callable[[Expr], str]) -> str:
     if value.symbol is None:
         return "" if value.name == "residual" else shown(value.equation.sides[0])
     place = ", ".join(map(str, value.index))
@@ -290,7 +290,7 @@ class _Octave(Printer, OctaveCodePrinter):
     times, over = ".*", "./"
 
 
-def _printed(program: Program, printer: Printer) -> tuple[list[tuple[str, str]], ...]:
+def _printed(program: Routine, printer: Printer) -> tuple[list[tuple[str, str]], ...]:
     """Shared parts and results as text."""
     return tuple(
         [(name, printer.text(expression)) for name, expression in pairs]
@@ -301,13 +301,13 @@ def _printed(program: Program, printer: Printer) -> tuple[list[tuple[str, str]],
 # --- Files ---------------------------------------------------------------------------------------
 
 
-def _comment(program: Program, mark: str, returns: str) -> list[str]:
+def _comment(program: Routine, mark: str, returns: str) -> list[str]:
     takes = "Takes numbers, in this order:"
     lines = [*program.about, takes, *program.takes, f"{returns}:", *program.gives]
     return [f"{mark} {line}" for line in lines]
 
 
-def _c(program: Program) -> Iterator[str]:
+def _c(program: Routine) -> Iterator[str]:
     shared, results = _printed(program, _C({"math_macros": {}}))
     count = len(results)
     yield "/*"
@@ -326,7 +326,7 @@ def _c(program: Program) -> Iterator[str]:
     yield "}"
 
 
-def _fortran(program: Program) -> Iterator[str]:
+def _fortran(program: Routine) -> Iterator[str]:
     printer = _Fortran({"source_format": "free", "standard": 2008})
     shared, results = _printed(program, printer)
     count = len(results)
@@ -352,7 +352,7 @@ def _fortran(program: Program) -> Iterator[str]:
     yield f"end module {program.name}_module"
 
 
-def _javascript(program: Program) -> Iterator[str]:
+def _javascript(program: Routine) -> Iterator[str]:
     shared, results = _printed(program, JavaScript())
     yield from _comment(program, "//", f"Returns an array of {_numbers(len(results))}")
     yield from broken(f"function {program.name}({', '.join(program.arguments)}) {{")
@@ -365,7 +365,7 @@ def _javascript(program: Program) -> Iterator[str]:
     yield "}"
 
 
-def _julia(program: Program) -> Iterator[str]:
+def _julia(program: Routine) -> Iterator[str]:
     shared, results = _printed(program, _Julia())
     yield from _comment(program, "#", f"Returns a tuple of {_numbers(len(results))}")
     yield f"# Over arrays it broadcasts: {program.name}.(…)"
@@ -379,7 +379,7 @@ def _julia(program: Program) -> Iterator[str]:
     yield "end"
 
 
-def _octave(program: Program) -> Iterator[str]:
+def _octave(program: Routine) -> Iterator[str]:
     shared, results = _printed(program, _Octave())
     names = ", ".join(name for name, _ in results)
     yield from broken(
@@ -394,7 +394,7 @@ def _octave(program: Program) -> Iterator[str]:
     yield "end"
 
 
-def _python(program: Program) -> Iterator[str]:
+def _python(program: Routine) -> Iterator[str]:
     shared = tuple((Symbol(name), value) for name, value in program.shared)
     lines = body(StraightLine(shared, tuple(value for _, value in program.results)))
     head = signature(program.name, program.arguments)

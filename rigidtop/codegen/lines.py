@@ -14,7 +14,17 @@ import sympy
 from sympy import Expr, Symbol
 
 from rigidtop.codegen.graph import OWN, Graph
-from rigidtop.codegen.nodes import Call, Leaf, Node, Number, Power, Product, Sum, Value, parts
+from rigidtop.codegen.nodes import (
+    CallNode,
+    Leaf,
+    Node,
+    Number,
+    PowerNode,
+    ProductNode,
+    SumNode,
+    Value,
+    parts,
+)
 
 MOST_TERMS = 64
 """Terms of a sum on one line: Python's own compiler fails at sums of thousands."""
@@ -49,7 +59,7 @@ def straight_line(graph: Graph, values: Sequence[Value], names: Iterator[Symbol]
     """The values as a program: what is used twice has a line; `names` are free letters."""
     nodes = {k: graph.nodes[k] for k in graph.below(values)}
     _with_numbers(nodes, values)
-    for kind in (Sum, Product):
+    for kind in (SumNode, ProductNode):
         _pair(nodes, kind)
     order = _in_order(nodes, [k for _, k in values])
     uses: dict[int, int] = {}
@@ -98,17 +108,17 @@ def _with_numbers(nodes: dict[int, Node], values: Sequence[Value]) -> None:
         if size == 1 or j == 0:
             return c, j
         number = put(size, Leaf(sympy.sympify(size)))
-        if isinstance(node, Product) and uses[j] == 1:
-            nodes[j] = Product((number, *node.above), node.below)
+        if isinstance(node, ProductNode) and uses[j] == 1:
+            nodes[j] = ProductNode((number, *node.above), node.below)
             return (1 if c > 0 else -1), j
-        return (1 if c > 0 else -1), put((size, j), Product((number, j), ()))
+        return (1 if c > 0 else -1), put((size, j), ProductNode((number, j), ()))
 
     for k, node in list(nodes.items()):
-        if isinstance(node, Sum):
-            nodes[k] = Sum(tuple(term(c, j) for c, j in node.terms))
+        if isinstance(node, SumNode):
+            nodes[k] = SumNode(tuple(term(c, j) for c, j in node.terms))
 
 
-def _pair(nodes: dict[int, Node], kind: type[Sum] | type[Product]) -> None:
+def _pair(nodes: dict[int, Node], kind: type[SumNode] | type[ProductNode]) -> None:
     """Two terms, or two factors, that several nodes have become a node of their own."""
     free = count(max(nodes) + 1)
     items: dict[int, set[Any]] = {
@@ -131,8 +141,8 @@ def _pair(nodes: dict[int, Node], kind: type[Sum] | type[Product]) -> None:
             continue
         whole = next((k for k in group if len(items[k]) == 2 and not any(nodes[k][1:])), None)
         place = next(free) if whole is None else whole
-        single = place if kind is Product else (1, place)
-        nodes[place] = Product(pair, ()) if kind is Product else Sum(pair)
+        single = place if kind is ProductNode else (1, place)
+        nodes[place] = ProductNode(pair, ()) if kind is ProductNode else SumNode(pair)
         fresh = set()
         for k in group:
             if k != place:
@@ -151,7 +161,7 @@ def _pair(nodes: dict[int, Node], kind: type[Sum] | type[Product]) -> None:
 
 def _of(items: tuple[Any, ...], like: Node) -> Node:
     """A sum, or a product with the denominators of another, of items."""
-    return Product(items, like.below) if isinstance(like, Product) else Sum(items)
+    return ProductNode(items, like.below) if isinstance(like, ProductNode) else SumNode(items)
 
 
 def _turned(nodes: Mapping[int, Node], values: Sequence[Value]) -> frozenset[int]:
@@ -159,11 +169,11 @@ def _turned(nodes: Mapping[int, Node], values: Sequence[Value]) -> frozenset[int
     made = set()
     for c, k in values:
         node = nodes[k]
-        while isinstance(node, Product):
-            inner = (j for j in node.above if isinstance(nodes[j], (Sum, Product)))
+        while isinstance(node, ProductNode):
+            inner = (j for j in node.above if isinstance(nodes[j], (SumNode, ProductNode)))
             k = next(inner, node.above[0] if node.above else node.below[0])
             node = nodes[k]
-        if c < 0 and isinstance(node, Sum) and any(c < 0 for c, _ in node.terms):
+        if c < 0 and isinstance(node, SumNode) and any(c < 0 for c, _ in node.terms):
             made.add(k)
     return frozenset(made)
 
@@ -184,21 +194,21 @@ class _Written:
     def node(self, k: int, node: Node) -> Expr:
         """A node by its parts; its sign besides."""
         self.signs[k] = 1
-        if isinstance(node, Sum):
+        if isinstance(node, SumNode):
             signs = {c * self.signs[j] > 0 for c, j in node.terms}
             if k in self.turned or signs == {False}:
                 self.signs[k] = -1
             terms = [(c * self.signs[k], j) for c, j in node.terms]
             terms.sort(key=lambda term: term[0] * self.signs[term[1]] < 0)  # no sign in front
             return _as_it_stands(sympy.Add, map(self.value, terms))
-        if isinstance(node, Product):
+        if isinstance(node, ProductNode):
             for j in (*node.above, *node.below):
                 self.signs[k] *= self.signs[j]
             below = [1 / self.known[j] for j in node.below]
             return _as_it_stands(sympy.Mul, [*(self.known[j] for j in node.above), *below])
-        if isinstance(node, Power):
+        if isinstance(node, PowerNode):
             return self.value(node.base) ** sympy.sympify(node.exponent)
-        if isinstance(node, Call):
+        if isinstance(node, CallNode):
             return node.function(*map(self.value, node.arguments))
         return node.expression
 

@@ -14,27 +14,27 @@ Value = tuple[Number, int]
 """A number times a node."""
 
 
-class Sum(NamedTuple):
+class SumNode(NamedTuple):
     """Numbers times nodes, added."""
 
     terms: tuple[Value, ...]
 
 
-class Product(NamedTuple):
+class ProductNode(NamedTuple):
     """Nodes multiplied, and those by which that is divided."""
 
     above: tuple[int, ...]
     below: tuple[int, ...]
 
 
-class Power(NamedTuple):
+class PowerNode(NamedTuple):
     """A value to the power of a number that is positive and not 1."""
 
     base: Value
     exponent: Number
 
 
-class Call(NamedTuple):
+class CallNode(NamedTuple):
     """A function of SymPy, and values that it is of."""
 
     function: Any
@@ -47,7 +47,7 @@ class Leaf(NamedTuple):
     expression: Expr
 
 
-Node = Sum | Product | Power | Call | Leaf
+Node = SumNode | ProductNode | PowerNode | CallNode | Leaf
 
 ZERO: Value = (0, 0)
 ONE: Value = (1, 0)
@@ -57,12 +57,12 @@ HALF: Value = (Fraction(1, 2), 0)
 
 def parts(node: Node) -> list[int]:
     """The nodes of which a node is made."""
-    if isinstance(node, Sum):
+    if isinstance(node, SumNode):
         return [k for _, k in node.terms]
-    if isinstance(node, Product):
+    if isinstance(node, ProductNode):
         return [*node.above, *node.below]
-    if isinstance(node, Power):
+    if isinstance(node, PowerNode):
         return [node.base[1]]
-    if isinstance(node, Call):
+    if isinstance(node, CallNode):
         return [k for _, k in node.arguments]
     return []

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import sympy
 
 from rigidtop.codegen.graph import Graph
-from rigidtop.codegen.nodes import ONE, Power, Product, Sum, Value
+from rigidtop.codegen.nodes import ONE, PowerNode, ProductNode, SumNode, Value
 
 
 def with_sizes(graph: Graph, values: Iterable[Value]) -> list[Value]:
@@ -31,12 +31,12 @@ def with_sizes(graph: Graph, values: Iterable[Value]) -> list[Value]:
 def _size(graph: Graph, k: int, known: dict[int, Value]) -> Value:
     """The size of a node, with those of its parts."""
     node = graph.nodes[k]
-    if isinstance(node, Sum):
+    if isinstance(node, SumNode):
         return graph.total((abs(c) * known[j][0], known[j][1]) for c, j in node.terms)
-    if isinstance(node, Product):
+    if isinstance(node, ProductNode):
         below = [_magnitude(graph, j) for j in node.below]
         return graph.product([known[j] for j in node.above], below)
-    if isinstance(node, Power) and isinstance(node.exponent, int):
+    if isinstance(node, PowerNode) and isinstance(node.exponent, int):
         c, j = known[node.base[1]]
         return graph.power((abs(node.base[0]) * c, j), node.exponent)
     return _magnitude(graph, k)

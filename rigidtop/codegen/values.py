@@ -30,7 +30,7 @@ class NothingToEvaluateError(ValueError):
 
 
 @dataclass(frozen=True)
-class Value:
+class Output:
     """A number that a claim gives: its name, its expression, and the equation that says so.
 
     `symbol` is what the name stands for, None where that is no symbol; `index` are the places of a
@@ -45,7 +45,7 @@ class Value:
 
 
 @dataclass(frozen=True)
-class Line:
+class ClaimLine:
     """An equation of a claim with what it assumes, and a sentence about it, such as a step's."""
 
     equation: Equation
@@ -54,14 +54,14 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Values:
+class ClaimOutputs:
     """All that a claim gives, with what it takes."""
 
     claim: str
     says: str
-    outputs: tuple[Value, ...]
+    outputs: tuple[Output, ...]
     arguments: tuple[Symbol, ...]
-    lines: tuple[Line, ...]
+    lines: tuple[ClaimLine, ...]
     vectors: tuple[tuple[Symbol, Expr], ...] = ()
     """The axes and vectors of the equations with their components, where these are short."""
 
@@ -75,7 +75,7 @@ class Values:
 class _Source:
     """A line with what its symbols mean."""
 
-    line: Line
+    line: ClaimLine
     meaning: Meaning
 
     @property
@@ -87,7 +87,7 @@ class _Source:
         return any(a.otherwise is not None for a in self.line.assuming)
 
 
-def values(judgement: Judgement) -> Values:
+def values(judgement: Judgement) -> ClaimOutputs:
     """The right-hand sides of a claim; NothingToEvaluateError, in one line, if there are none.
 
     >>> from rigidtop.derivations.lagrange_formalism import momentum_psi
@@ -133,7 +133,7 @@ def _sources(judgement: Judgement) -> tuple[list[_Source], list[_Source]]:
 def _led(judgement: Judgement) -> list[_Source]:
     """The lines of the text that alone show a claim."""
     return [
-        _Source(Line(equation), {})
+        _Source(ClaimLine(equation), {})
         for item in judgement.items
         if isinstance(item, Led)
         for id in item.lecture.names[item.name]
@@ -143,22 +143,22 @@ def _led(judgement: Judgement) -> list[_Source]:
 
 def _source(item: Finding | Step) -> _Source:
     if isinstance(item, Step):
-        return _Source(Line(item.equation, reason=item.reason), {})
+        return _Source(ClaimLine(item.equation, reason=item.reason), {})
     check = item.check
     said = "Corrected: the notes have it otherwise." if isinstance(check, Correction) else ""
-    return _Source(Line(check.claimed, check.assuming, said), check.meaning)
+    return _Source(ClaimLine(check.claimed, check.assuming, said), check.meaning)
 
 
 # --- From equations to expressions ---------------------------------------------------------------
 
 
-def _found(group: Sequence[_Source]) -> list[tuple[_Source, list[Value]]]:
+def _found(group: Sequence[_Source]) -> list[tuple[_Source, list[Output]]]:
     """The values of a group of equations, each name once.
 
     What is an argument already is no value besides: a function that gives back what it is given
     says nothing.
     """
-    found: list[tuple[_Source, list[Value]]] = []
+    found: list[tuple[_Source, list[Output]]] = []
     tagged = any(source.equation.tag for source in group)
     for again in (False, True):  # r′ = Oᵀr where r was made from r′: only if there is nothing else
         known: dict[Symbol, Expr] = {}
@@ -185,7 +185,7 @@ def _found(group: Sequence[_Source]) -> list[tuple[_Source, list[Value]]]:
     return found
 
 
-def _of_equation(source: _Source, again: bool) -> Iterator[Value]:
+def _of_equation(source: _Source, again: bool) -> Iterator[Output]:
     equation, meaning = source.equation, source.meaning
     left = equation.sides[0]
     target = _target(left)
@@ -218,7 +218,7 @@ def _of_equation(source: _Source, again: bool) -> Iterator[Value]:
     if isinstance(wanted, list):
         if len(wanted) == len(entries):
             for symbol, entry in zip(wanted, entries, strict=True):
-                yield Value(symbol.name, entry, equation, symbol)
+                yield Output(symbol.name, entry, equation, symbol)
         return
     factor = value(factor, meaning)
     yield from _entries(wanted.name, wanted, [e / factor for e in entries], shape, equation)
@@ -304,16 +304,16 @@ def _entries(
     entries: Sequence[Expr],
     shape: tuple[int, int],
     equation: Equation,
-) -> Iterator[Value]:
+) -> Iterator[Output]:
     if shape == (1, 1):
         [entry] = entries
         if name == "residual":
-            yield next(_solved(entry, equation), Value(name, entry, equation))
+            yield next(_solved(entry, equation), Output(name, entry, equation))
         else:
-            yield Value(name, entry, equation, symbol)
+            yield Output(name, entry, equation, symbol)
         return
     for place, entry in zip(_places(shape), entries, strict=True):
-        yield Value(f"{name}{''.join(map(str, place))}", entry, equation, symbol, place)
+        yield Output(f"{name}{''.join(map(str, place))}", entry, equation, symbol, place)
 
 
 def _places(shape: tuple[int, int]) -> list[tuple[int, ...]]:
@@ -323,22 +323,22 @@ def _places(shape: tuple[int, int]) -> list[tuple[int, ...]]:
     return [(row + 1, column + 1) for row in range(rows) for column in range(columns)]
 
 
-def _solved(residual: Expr, equation: Equation) -> Iterator[Value]:
+def _solved(residual: Expr, equation: Equation) -> Iterator[Output]:
     """A second derivative that an equation 0 = … is linear in."""
     for symbol in top.ACCELERATIONS:
         coefficient = residual.expand().coeff(symbol)
         if coefficient != 0 and not coefficient.has(*top.ACCELERATIONS):
             rest = residual.subs(symbol, 0)
-            yield Value(symbol.name, -rest / coefficient, equation, symbol)
+            yield Output(symbol.name, -rest / coefficient, equation, symbol)
 
 
 # --- A function of numbers -----------------------------------------------------------------------
 
 
-def _values(judgement: Judgement, found: Sequence[tuple[_Source, list[Value]]]) -> Values:
+def _values(judgement: Judgement, found: Sequence[tuple[_Source, list[Output]]]) -> ClaimOutputs:
     outputs, note = _complete([v for _, made in found for v in made], found)
     takes = arguments(v.expression for v in outputs)
-    return Values(
+    return ClaimOutputs(
         judgement.claim.name,
         judgement.claim.says,
         tuple(outputs),
@@ -350,8 +350,8 @@ def _values(judgement: Judgement, found: Sequence[tuple[_Source, list[Value]]]) 
 
 
 def _complete(
-    outputs: list[Value], found: Sequence[tuple[_Source, list[Value]]]
-) -> tuple[list[Value], str]:
+    outputs: list[Output], found: Sequence[tuple[_Source, list[Output]]]
+) -> tuple[list[Output], str]:
     """θ̈ of the heavy top with φ̈ and ψ̈, which an integrator needs besides."""
     system = dict(zip(top.ACCELERATIONS, top.symmetric_top_accelerations(), strict=True))
     (source, _), *_ = found
@@ -360,7 +360,7 @@ def _complete(
         return outputs, ""
     if source.meaning.get(output.symbol) != system[output.symbol]:
         return outputs, ""
-    complete = [Value(x.name, e, output.equation, x) for x, e in system.items()]
+    complete = [Output(x.name, e, output.equation, x) for x, e in system.items()]
     return complete, "Solved together with (3.55) and (3.56); singular where sin θ = 0."
 
 
@@ -421,7 +421,7 @@ def arguments(expressions: Iterable[Expr]) -> tuple[Symbol, ...]:
 # --- In the symbols of another notation ----------------------------------------------------------
 
 
-def rewritten(made: Values, written: Callable[[Expr], Expr]) -> Values:
+def rewritten(made: ClaimOutputs, written: Callable[[Expr], Expr]) -> ClaimOutputs:
     """The same values with other symbols: `written` takes expressions and equations into them.
 
     What is −x of the other notation gives x, with its sign turned.
@@ -448,17 +448,17 @@ def rewritten(made: Values, written: Callable[[Expr], Expr]) -> Values:
 
 
 def _along_axes(
-    outputs: tuple[Value, ...], vectors: list[tuple[Symbol, Expr]]
-) -> tuple[tuple[Value, ...], list[tuple[Symbol, Expr]]]:
+    outputs: tuple[Output, ...], vectors: list[tuple[Symbol, Expr]]
+) -> tuple[tuple[Output, ...], list[tuple[Symbol, Expr]]]:
     """Components along e₁′, e₂′, e₃ as they are in the other notation: (1, 0, 0), and so on."""
     known = {stands_for(vector): part for vector, part in vectors}
     if {s.e1p, s.e2p} - set(known) or any(known[axis].free_symbols for axis in (s.e1p, s.e2p)):
         return outputs, vectors
     turn = sympy.Matrix.hstack(known[s.e1p], known[s.e2p], sympy.Matrix([0, 0, 1])).T
-    groups: dict[Expr, list[Value]] = {}
+    groups: dict[Expr, list[Output]] = {}
     for output in outputs:
         groups.setdefault(output.symbol, []).append(output)
-    turned: list[Value] = []
+    turned: list[Output] = []
     for group in groups.values():
         if [output.index for output in group] == [(1,), (2,), (3,)]:
             parts = turn * sympy.Matrix([output.expression for output in group])
@@ -467,7 +467,7 @@ def _along_axes(
     return tuple(turned), [(vector, turn * part) for vector, part in vectors]
 
 
-def _rewritten(output: Value, written: Callable[[Expr], Expr]) -> Value:
+def _rewritten(output: Output, written: Callable[[Expr], Expr]) -> Output:
     expression, equation = written(output.expression), written(output.equation)
     if output.symbol is None:
         names = [x.name for x in getattr(equation.sides[0], "args", ()) if isinstance(x, Symbol)]
@@ -475,7 +475,7 @@ def _rewritten(output: Value, written: Callable[[Expr], Expr]) -> Value:
         return replace(output, name=name, expression=expression, equation=equation)
     sign, own, offset = _own(written(output.symbol))
     name = own.name + output.name.removeprefix(output.symbol.name)
-    return Value(name, sign * (expression - offset), equation, own, output.index)
+    return Output(name, sign * (expression - offset), equation, own, output.index)
 
 
 def _own(image: Expr) -> tuple[Expr, Symbol, Expr]:

@@ -114,7 +114,7 @@ def table_of(symbols: Sequence[Lettered]) -> str:
 
 
 @dataclass(frozen=True)
-class Declared:
+class Declarations:
     """The letters that pages declare; `numbers` are those that do not change in time.
 
     The `faults` of their tables have the names of the pages.
@@ -126,7 +126,7 @@ class Declared:
     faults: tuple[tuple[str, Fault], ...] = ()
 
 
-def declared(sources: Iterable[tuple[str, str]]) -> Declared:
+def declared(sources: Iterable[tuple[str, str]]) -> Declarations:
     """The letters of some pages, (name, text), in the order in which they are declared.
 
     Faults are a row that declares none, a letter that is declared twice and not alike, a unit that
@@ -163,7 +163,7 @@ def declared(sources: Iterable[tuple[str, str]]) -> Declared:
     fixed = (x for x, kind in zip(symbols, kinds, strict=True) if kind in _FIXED)
     axes = [x for x, kind in zip(symbols, kinds, strict=True) if kind.endswith("frame")]
     frames = zip(axes[::3], axes[1::3], axes[2::3], strict=True)
-    return Declared(symbols, frozenset(fixed), tuple(frames), tuple(faults))
+    return Declarations(symbols, frozenset(fixed), tuple(frames), tuple(faults))
 
 
 _FIXED = ("positive", "number", "fixed frame")

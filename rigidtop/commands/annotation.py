@@ -11,12 +11,11 @@ from rigidtop.read.document import formulas
 from rigidtop.read.left import TAG
 from rigidtop.read.macros import Macros, customary, defined
 from rigidtop.read.walk import Formula
-from rigidtop.report.annotated import Formula as Shown
-from rigidtop.report.annotated import Mark, write
+from rigidtop.report.annotated import FormulaSpan, VerdictSpan, write
 from rigidtop.report.transcript import transcript
 
 
-def others(source: str, marks: Sequence[Mark], macros: Macros) -> list[Shown]:
+def others(source: str, marks: Sequence[VerdictSpan], macros: Macros) -> list[FormulaSpan]:
     """The formulas of the text without a mark."""
     spans = [(mark.start, mark.end) for mark in marks]
     return [
@@ -26,15 +25,15 @@ def others(source: str, marks: Sequence[Mark], macros: Macros) -> list[Shown]:
     ]
 
 
-def framed(formula: Formula, macros: Macros) -> Shown:
+def framed(formula: Formula, macros: Macros) -> FormulaSpan:
     """A formula with a verdict, in a frame of its own; its number stands beside it there."""
     return _shown(formula, macros, re.sub(TAG, "", formula.text), display=True)
 
 
-def _shown(formula: Formula, macros: Macros, text: str, display: bool) -> Shown:
+def _shown(formula: Formula, macros: Macros, text: str, display: bool) -> FormulaSpan:
     """A formula of the text, sign by sign as it is written."""
     signs = transcript(text.strip(), macros, display)
-    return Shown(formula.opens, formula.end, text.strip(), display, signs)
+    return FormulaSpan(formula.opens, formula.end, text.strip(), display, signs)
 
 
 # --- Answers -------------------------------------------------------------------------------------
@@ -90,14 +89,14 @@ def _mark(
     lines: Sequence[Marked],
     at: Mapping[int, Formula],
     macros: Macros,
-) -> Mark:
+) -> VerdictSpan:
     """The mark of a formula in which some lines stand."""
     start, end = span
-    shown = Shown(start, end, source[start:end])
+    shown = FormulaSpan(start, end, source[start:end])
     if start in at:
         shown = framed(at[start], macros)
     verdict = min((line.mark for line in lines), key=_WORST.index)
-    return Mark(
+    return VerdictSpan(
         start=shown.start,
         end=end,
         number="",

@@ -15,11 +15,11 @@ from rigidtop.errors import RigidtopError
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
-    from rigidtop.commands.findings import Finding
+    from rigidtop.commands.findings import AuditFinding
     from rigidtop.commands.notes import Notes
     from rigidtop.mark.numbered import Copy
     from rigidtop.read.macros import Macros
-    from rigidtop.report.annotated import Mark
+    from rigidtop.report.annotated import VerdictSpan
 
 ABOUT = "audit notes in Markdown, LaTeX or a notebook: anyone's, in any letters"
 
@@ -156,7 +156,7 @@ MOST_AGAINST = 3
 """So many lines are quoted of those that something wrong contradicts, the last ones."""
 
 
-def tell(findings: Sequence[Finding]) -> None:
+def tell(findings: Sequence[AuditFinding]) -> None:
     """What is wrong, what is known of the other formulas, what is open and why, the counts."""
     from rigidtop.commands.check import VERDICT_COLORS
     from rigidtop.commands.findings import Of, label, summary
@@ -198,7 +198,7 @@ def tell(findings: Sequence[Finding]) -> None:
     print(paragraph(summary(findings)))
 
 
-def _quoted(each: Finding) -> str:
+def _quoted(each: AuditFinding) -> str:
     """What is wrong in lines: as it is written, as it has to be, what it contradicts."""
     from rigidtop.terminal.table import paragraph
     from rigidtop.terminal.visible import visible
@@ -226,17 +226,17 @@ def _few(names: Sequence[str], most: int = MOST_OPEN) -> str:
 # --- The annotated page --------------------------------------------------------------------------
 
 
-def _of_claims(source: str, audited: Sequence[Copy], macros: Macros) -> Iterator[Mark]:
+def _of_claims(source: str, audited: Sequence[Copy], macros: Macros) -> Iterator[VerdictSpan]:
     """The numbered equations of the collection."""
     from rigidtop.commands.annotation import framed
-    from rigidtop.report.annotated import Mark
+    from rigidtop.report.annotated import VerdictSpan
 
     for each in audited:
         formulas = each.group.formulas
         shown = tuple(framed(formula, macros) for formula in formulas)
         end = formulas[-1].end
         behind = re.compile(rf"\s*\(\s*{re.escape(each.number)}\s*\)").match(source, end)
-        yield Mark(
+        yield VerdictSpan(
             start=shown[0].start,
             end=behind.end() if behind else end,
             number=each.number,
@@ -248,18 +248,18 @@ def _of_claims(source: str, audited: Sequence[Copy], macros: Macros) -> Iterator
         )
 
 
-def _wrong(source: str, findings: Sequence[Finding], macros: Macros) -> Iterator[Mark]:
+def _wrong(source: str, findings: Sequence[AuditFinding], macros: Macros) -> Iterator[VerdictSpan]:
     """The formulas of the file itself of which something is wrong."""
     from rigidtop.commands.annotation import framed
     from rigidtop.read.document import formulas
-    from rigidtop.report.annotated import Mark
+    from rigidtop.report.annotated import VerdictSpan
 
     for formula in formulas(source):
         wrong = [x for x in findings if x.is_wrong and x.formula == formula.start]
         if wrong:
             first = wrong[0]
             drawn = framed(formula, macros)
-            yield Mark(
+            yield VerdictSpan(
                 start=drawn.start,
                 end=formula.end,
                 number=first.name,
@@ -271,11 +271,11 @@ def _wrong(source: str, findings: Sequence[Finding], macros: Macros) -> Iterator
             )
 
 
-def _why(each: Finding) -> str:
+def _why(each: AuditFinding) -> str:
     return f"{each.note}; right: {each.right}" if each.right else each.note
 
 
-def _is_beside(each: Finding) -> bool:
+def _is_beside(each: AuditFinding) -> bool:
     """Whether it is told on top of the page, since it is no formula of its text."""
     from rigidtop.commands.findings import Of
 

@@ -15,8 +15,8 @@ from pathlib import Path
 
 from rigidtop.collection import built_in
 from rigidtop.commands.audit import MOST_AGAINST
-from rigidtop.commands.draft import Audit, Draft, Remark, well_formed
-from rigidtop.commands.findings import Finding, Place, summary
+from rigidtop.commands.draft import Audit, Draft, TextRemark, well_formed
+from rigidtop.commands.findings import AuditFinding, FilePlace, summary
 from rigidtop.errors import RigidtopError
 from rigidtop.judge.text import Asked, Reading
 from rigidtop.report.annotated import note_html, verdict_badge
@@ -77,13 +77,13 @@ class Desk:
         return self.draft.audit_but(text, built_in(), refusal)
 
 
-def _in_order(findings: Sequence[Finding]) -> list[Finding]:
+def _in_order(findings: Sequence[AuditFinding]) -> list[AuditFinding]:
     """Those that have a place, by their lines."""
     placed = [(each.place.line, each) for each in findings if each.place is not None]
     return [each for _, each in sorted(placed, key=lambda pair: pair[0])]
 
 
-def _wrong(each: Finding, audit: Audit) -> str:
+def _wrong(each: AuditFinding, audit: Audit) -> str:
     """What is wrong: as it is written, as it has to be, what it contradicts."""
     remarks = [x for x in audit.remarks if x.finding is each]
     right = "".join(_formula(x.repair, audit) for x in remarks if x.repair)
@@ -100,7 +100,7 @@ def _wrong(each: Finding, audit: Audit) -> str:
     return f'<li class="audited amiss">{_shown(each, remarks, audit)}{"".join(parts)}</li>'
 
 
-def _line(each: Finding, audit: Audit) -> str:
+def _line(each: AuditFinding, audit: Audit) -> str:
     """What became of a formula, with what it follows from."""
     remarks = [x for x in audit.remarks if x.finding is each]
     words = f'<p class="why">{note_html(each.words)}</p>' if each.words else ""
@@ -108,7 +108,7 @@ def _line(each: Finding, audit: Audit) -> str:
     return f'<li class="audited{amiss}">{_shown(each, remarks, audit)}{words}</li>'
 
 
-def _shown(each: Finding, remarks: Sequence[Remark], audit: Audit) -> str:
+def _shown(each: AuditFinding, remarks: Sequence[TextRemark], audit: Audit) -> str:
     """A formula with its place and its verdict."""
     formulas = "".join(_formulas(each, remarks, audit))
     place = _link(each.place.line if each.place is not None else 0, each.title)
@@ -116,7 +116,7 @@ def _shown(each: Finding, remarks: Sequence[Remark], audit: Audit) -> str:
     return f'<div class="eq">{formulas}</div>{side}'
 
 
-def _formulas(each: Finding, remarks: Sequence[Remark], audit: Audit) -> Iterator[str]:
+def _formulas(each: AuditFinding, remarks: Sequence[TextRemark], audit: Audit) -> Iterator[str]:
     for remark in remarks:
         if each.rows:  # else the whole line, of which nothing was read
             yield f"<div>{_formula(audit.text[remark.start : remark.end], audit)}</div>"
@@ -129,7 +129,7 @@ def _formula(source: str, audit: Audit) -> str:
     return transcript(tex, macros, True) or f"<code>{escape(visible(source.strip()))}</code>"
 
 
-def _at(place: Place, formula: str, audit: Audit) -> str:
+def _at(place: FilePlace, formula: str, audit: Audit) -> str:
     """The formula of a place as it stands in the text, or else in plain characters."""
     for x in audit.remarks:
         if x.finding.place == place and x.finding.written == formula:

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from rigidtop.collection import is_folder, opened
-from rigidtop.commands.findings import Finding, summary
+from rigidtop.commands.findings import AuditFinding, summary
 from rigidtop.commands.formats import message
 from rigidtop.commands.mark import subject_of
 from rigidtop.commands.notes import Notes, audited
@@ -42,7 +42,7 @@ class Audited:
     notes: Notes
 
     @property
-    def shown(self) -> list[Finding]:
+    def shown(self) -> list[AuditFinding]:
         """What is wrong first, then what is said of the other lines."""
         findings = [each for each in self.notes.findings if each.display]
         return sorted(findings, key=lambda each: not each.is_wrong)

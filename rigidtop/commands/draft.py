@@ -20,7 +20,7 @@ from rigidtop.read.project import sources, whole
 
 if TYPE_CHECKING:
     from rigidtop.collection import Collection
-    from rigidtop.commands.findings import Finding
+    from rigidtop.commands.findings import AuditFinding
     from rigidtop.read.macros import Macros
 
 
@@ -160,12 +160,12 @@ def _units(text: str) -> int:
 
 
 @dataclass(frozen=True)
-class Remark:
+class TextRemark:
     """What is said of some characters of a text; `repair` is what they have to be, in LaTeX."""
 
     start: int
     end: int
-    finding: Finding
+    finding: AuditFinding
     repair: str = ""
 
 
@@ -177,7 +177,7 @@ class Audit:
     """
 
     text: str
-    remarks: tuple[Remark, ...] = ()
+    remarks: tuple[TextRemark, ...] = ()
     notes: Notes | None = None
     is_whole: bool = True
 
@@ -185,7 +185,7 @@ class Audit:
     def lines(self) -> Lines:
         return Lines(self.text)
 
-    def at(self, position: int) -> tuple[Remark, ...]:
+    def at(self, position: int) -> tuple[TextRemark, ...]:
         """What is remarked on a place, the wrong ones first."""
         there = [each for each in self.remarks if each.start <= position <= each.end]
         return tuple(sorted(there, key=lambda each: not each.finding.is_wrong))
@@ -234,7 +234,7 @@ class Draft:
         return Audit(text, tuple(_remarks(notes)), notes, self.history.is_whole)
 
 
-def _remarks(notes: Notes) -> Iterator[Remark]:
+def _remarks(notes: Notes) -> Iterator[TextRemark]:
     """What is found in the file that was named, where it stands there."""
     whole_text = whole(notes.files)
     ends = {}
@@ -248,9 +248,9 @@ def _remarks(notes: Notes) -> Iterator[Remark]:
             if source is notes.source:
                 text = source.text[start : start + ends[row.number] - row.position]
                 text = text[: _written(text)]
-                yield Remark(start, start + len(text), finding, _repair(row, text))
+                yield TextRemark(start, start + len(text), finding, _repair(row, text))
         if not finding.rows and finding.place is not None and not finding.place.file:
-            yield Remark(*Lines(notes.source.text).span(finding.place.line - 1), finding)
+            yield TextRemark(*Lines(notes.source.text).span(finding.place.line - 1), finding)
 
 
 _SIGN = re.compile(

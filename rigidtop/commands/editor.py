@@ -21,8 +21,8 @@ from pygls.uris import from_fs_path, to_fs_path
 
 from rigidtop import __version__
 from rigidtop.collection import Collection
-from rigidtop.commands.draft import Audit, Draft, OldTextError, Remark, well_formed
-from rigidtop.commands.findings import Finding, Place
+from rigidtop.commands.draft import Audit, Draft, OldTextError, TextRemark, well_formed
+from rigidtop.commands.findings import AuditFinding, FilePlace
 from rigidtop.commands.formats import message
 from rigidtop.commands.worker import Worker, own_output
 from rigidtop.errors import RigidtopError
@@ -36,7 +36,7 @@ SOON = 0.1
 
 
 @dataclass
-class Document:
+class OpenDocument:
     """An open file: its newest text with its version, and the last audit, perhaps of an older."""
 
     uri: str
@@ -57,7 +57,7 @@ class Editor:
     def __init__(self, collection: Collection) -> None:
         self.collection = collection
         self.worker = Worker()
-        self.documents: dict[str, Document] = {}
+        self.documents: dict[str, OpenDocument] = {}
         self.server = LanguageServer(
             SOURCE, __version__, text_document_sync_kind=lsp.TextDocumentSyncKind.Full
         )
@@ -88,7 +88,7 @@ class Editor:
     def open(self, params: lsp.DidOpenTextDocumentParams) -> None:
         item = params.text_document
         draft = Draft(Path(to_fs_path(item.uri) or item.uri))
-        self.documents[item.uri] = Document(item.uri, draft, "", None)
+        self.documents[item.uri] = OpenDocument(item.uri, draft, "", None)
         self._write(self.documents[item.uri], item.text, item.version)
 
     def change(self, params: lsp.DidChangeTextDocumentParams) -> None:
@@ -102,11 +102,11 @@ class Editor:
         if document is not None:
             self._publish(document, [])
 
-    def _write(self, document: Document, text: str, version: int | None) -> None:
+    def _write(self, document: OpenDocument, text: str, version: int | None) -> None:
         document.text, document.version = well_formed(text), version
         self.worker.result(partial(self._judge, document, document.text, version))
 
-    def _judge(self, document: Document, text: str, version: int | None) -> None:
+    def _judge(self, document: OpenDocument, text: str, version: int | None) -> None:
         """Audit a text and tell the editor, unless there is a newer one."""
 
         def is_old() -> bool:
@@ -130,7 +130,7 @@ class Editor:
 
     def _told(
         self,
-        document: Document,
+        document: OpenDocument,
         text: str,
         is_old: Callable[[], bool],
         is_enough: Callable[[], bool],
@@ -148,12 +148,12 @@ class Editor:
         return [*self._wrong(document, audit)], audit.is_whole
 
     def _publish(
-        self, document: Document, told: list[lsp.Diagnostic], version: int | None = None
+        self, document: OpenDocument, told: list[lsp.Diagnostic], version: int | None = None
     ) -> None:
         params = lsp.PublishDiagnosticsParams(document.uri, told, version)
         self.server.text_document_publish_diagnostics(params)
 
-    def _wrong(self, document: Document, audit: Audit) -> Iterator[lsp.Diagnostic]:
+    def _wrong(self, document: OpenDocument, audit: Audit) -> Iterator[lsp.Diagnostic]:
         for each in audit.remarks:
             if each.finding.is_wrong:
                 yield lsp.Diagnostic(
@@ -212,7 +212,7 @@ class Editor:
 
     def _asked(
         self, params: lsp.HoverParams | lsp.DefinitionParams
-    ) -> tuple[Document | None, Audit | None, tuple[Remark, ...]]:
+    ) -> tuple[OpenDocument | None, Audit | None, tuple[TextRemark, ...]]:
         """The file that is asked about, and what is remarked on the place."""
         document = self.documents.get(params.text_document.uri)
         audit = document.current if document is not None else None
@@ -228,7 +228,7 @@ def _soon() -> Callable[[], bool]:
     return lambda: next(asked) > 0 and time.monotonic() > begun + SOON
 
 
-def _words(finding: Finding) -> str:
+def _words(finding: AuditFinding) -> str:
     """The verdict of a line and what it is drawn from."""
     head = f"{finding.title}: {finding.verdict}"
     if finding.is_wrong:
@@ -236,13 +236,13 @@ def _words(finding: Finding) -> str:
     return f"{head}: {finding.words}" if finding.words else head
 
 
-def _range(audit: Audit, remark: Remark) -> lsp.Range:
+def _range(audit: Audit, remark: TextRemark) -> lsp.Range:
     start, end = (audit.lines.place(x) for x in (remark.start, remark.end))
     return lsp.Range(lsp.Position(*start), lsp.Position(*end))
 
 
 def _rests_on(
-    document: Document, audit: Audit, finding: Finding
+    document: OpenDocument, audit: Audit, finding: AuditFinding
 ) -> Iterator[tuple[lsp.Location, str]]:
     """Where the lines stand on which one rests, or which it contradicts, with their formulas."""
     for place, formula in finding.against:
@@ -256,7 +256,7 @@ def _rests_on(
         yield lsp.Location(uri, lsp.Range(start, start)), formula
 
 
-def _source(audit: Audit, place: Place) -> Path | None:
+def _source(audit: Audit, place: FilePlace) -> Path | None:
     """The file of a place among those that belong together."""
     files = audit.notes.files if audit.notes is not None else ()
     paths = [each.path for each in files]

@@ -29,7 +29,7 @@ class Of(Enum):
 
 
 @dataclass(frozen=True)
-class Place:
+class FilePlace:
     """A line, in a file where there are several, or in a cell of a notebook."""
 
     line: int
@@ -53,7 +53,7 @@ class Place:
 
 
 @dataclass(frozen=True)
-class Finding:
+class AuditFinding:
     """What is said of one thing.
 
     `passed` is None where it neither follows nor is wrong; `display` says that a table has it in
@@ -65,14 +65,14 @@ class Finding:
 
     of: Of
     name: str
-    place: Place | None
+    place: FilePlace | None
     verdict: str
     note: str
     passed: bool | None
     display: bool = True
     written: str = ""
     right: str = ""
-    against: tuple[tuple[Place, str], ...] = ()
+    against: tuple[tuple[FilePlace, str], ...] = ()
     formula: int = -1
     rows: tuple[Row, ...] = ()
     more: Mapping[str, Any] = field(default_factory=dict)
@@ -117,7 +117,7 @@ def label(name: str, longest: int = 24) -> str:
 # --- What is found -------------------------------------------------------------------------------
 
 
-def of_claim(each: Copy, place: Placing) -> Finding:
+def of_claim(each: Copy, place: Placing) -> AuditFinding:
     """What becomes of a numbered equation of the collection."""
     from rigidtop.report.records import record
 
@@ -130,7 +130,7 @@ def of_claim(each: Copy, place: Placing) -> Finding:
         judged = record(each.judgement)
         more |= {key: judged[key] for key in ("reference", "assumptions")}
     wrong = [_in_words(x.row.statement) or "" for x in each.lines if not x.as_good]
-    return Finding(
+    return AuditFinding(
         Of.CLAIM,
         each.number,
         place(each.lines[0].row.position)[0],
@@ -152,16 +152,18 @@ def _equation(row: Row, outcome: Outcome, place: Placing) -> dict[str, Any]:
     return {"line": at.line, "column": column, **told}
 
 
-def of_place(line: int, reason: str, file: str = "") -> Finding:
+def of_place(line: int, reason: str, file: str = "") -> AuditFinding:
     """A place where mathematics is not read."""
-    return Finding(Of.PLACE, "", Place(line, file), UNREAD, reason, None)
+    return AuditFinding(Of.PLACE, "", FilePlace(line, file), UNREAD, reason, None)
 
 
-def absent(claim: Claim) -> Finding:
-    return Finding(Of.ABSENT, claim.name, None, "absent", "not in the file", None, display=False)
+def absent(claim: Claim) -> AuditFinding:
+    return AuditFinding(
+        Of.ABSENT, claim.name, None, "absent", "not in the file", None, display=False
+    )
 
 
-Placing = Callable[[int], tuple[Place, int]]
+Placing = Callable[[int], tuple[FilePlace, int]]
 """What tells the line and the column of a position in the files that belong together."""
 
 
@@ -171,20 +173,20 @@ def placing(whole: Whole, top: Source) -> Placing:
     line_of = cache(lambda source: places(source.text))
     several = any(part.source is not top for part in whole.parts)
 
-    def place(position: int) -> tuple[Place, int]:
+    def place(position: int) -> tuple[FilePlace, int]:
         source, start = whole.origin(position)
         line, column = line_of(source)(start)
         if source.cells:
             cell, line = source.place(line)
-            return Place(line, cell=cell), column
-        return Place(line, source.path.name if several else ""), column
+            return FilePlace(line, cell=cell), column
+        return FilePlace(line, source.path.name if several else ""), column
 
     return place
 
 
 def of_rows(
     rows: Sequence[Row], above: Sequence[Row], whole: Whole, top: Source
-) -> Iterator[Finding]:
+) -> Iterator[AuditFinding]:
     """What becomes of some statements of the files that belong together, in order.
 
     `above` are all of them.
@@ -195,7 +197,7 @@ def of_rows(
         outcome = row.outcome
         source, start = whole.origin(row.passage.start)
         others = [named[number] for number in sorted(outcome.rests_on) if number in named]
-        yield Finding(
+        yield AuditFinding(
             Of.FILE,
             names[row.number],
             place(row.position)[0],
@@ -258,7 +260,7 @@ def _names(rows: Sequence[Row], text: str) -> dict[int, str]:
 _OF_CLAIMS = ("proved", "sampled", "assuming", "convention", "false", "definition", "undecided")
 
 
-def summary(findings: Sequence[Finding]) -> str:
+def summary(findings: Sequence[AuditFinding]) -> str:
     """How many formulas there are, with how many of them anything was compared, what is wrong."""
     of = {kind: [each for each in findings if each.of is kind] for kind in Of}
     parts = []
@@ -278,7 +280,7 @@ def summary(findings: Sequence[Finding]) -> str:
     return "; ".join(parts)
 
 
-def _parts(findings: Sequence[Finding]) -> Iterator[str]:
+def _parts(findings: Sequence[AuditFinding]) -> Iterator[str]:
     compared = [each for each in findings if each.passed is not None]
     wrong = sum(each.is_wrong for each in compared)
     yield (

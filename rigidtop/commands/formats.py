@@ -8,7 +8,7 @@ from typing import Any
 from urllib.parse import quote
 from xml.etree import ElementTree
 
-from rigidtop.commands.findings import Finding
+from rigidtop.commands.findings import AuditFinding
 from rigidtop.commands.notes import Notes
 from rigidtop.terminal.visible import visible
 
@@ -104,23 +104,23 @@ FORMATS: Mapping[str, Callable[[Sequence[Notes]], str]] = {
 }
 
 
-def message(each: Finding) -> str:
+def message(each: AuditFinding) -> str:
     """What is wrong in lines: why, as it is written, as it has to be, what it contradicts."""
     against = [f"against {place}: {formula}" for place, formula in each.against]
     parts = [("written", each.written), ("right", each.right)]
     return "\n".join([each.note, *(f"{head}: {x}" for head, x in parts if x), *against])
 
 
-def _wrong(audits: Sequence[Notes]) -> Iterator[tuple[Notes, Finding]]:
+def _wrong(audits: Sequence[Notes]) -> Iterator[tuple[Notes, AuditFinding]]:
     return ((notes, each) for notes in audits for each in notes.findings if each.is_wrong)
 
 
-def _file(each: Finding, notes: Notes) -> str:
+def _file(each: AuditFinding, notes: Notes) -> str:
     """The file of a finding, from where the command was started."""
     top = notes.source.path
     named = each.place.file if each.place is not None else ""
     return (top.parent / named if named else top).as_posix()
 
 
-def _line(each: Finding) -> int:
+def _line(each: AuditFinding) -> int:
     return each.place.line if each.place is not None else 1

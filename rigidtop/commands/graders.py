@@ -30,7 +30,7 @@ TOLERANCE = 5e-3
 
 
 @dataclass(frozen=True)
-class Asked:
+class GradedExercise:
     """An exercise with its settings, and what is asked in it: a derivation, numbers, or both."""
 
     exercise: Exercise
@@ -62,7 +62,7 @@ def asked(
     exercises: Sequence[Exercise],
     given: Sequence[str],
     points: float | None,
-) -> list[Asked]:
+) -> list[GradedExercise]:
     """What the exercises ask.  Raises RigidtopError for one of which nothing can be marked."""
     folder = "" if collection.folder is None else f"{collection.folder}/"
     found = []
@@ -76,14 +76,14 @@ def asked(
         if goal is None and not values:
             raise RigidtopError(f"of {exercise.name} nothing can be marked")
         most = points or (exercise.rubric or Rubric()).total
-        found.append(Asked(exercise, tuple(given), goal, values, most, folder))
+        found.append(GradedExercise(exercise, tuple(given), goal, values, most, folder))
     return found
 
 
 # --- Notebooks -----------------------------------------------------------------------------------
 
 
-def nbgrader(exercises: Sequence[Asked]) -> dict[str, str]:
+def nbgrader(exercises: Sequence[GradedExercise]) -> dict[str, str]:
     """An assignment: the last expression of its tests are the points, parts of them too."""
     cells = [_code("%load_ext rigidtop", "setup", locked=True)]
     for k, each in enumerate(exercises, 1):
@@ -96,7 +96,7 @@ def nbgrader(exercises: Sequence[Asked]) -> dict[str, str]:
     return {"exercises.ipynb": _notebook(cells)}
 
 
-def otter(exercises: Sequence[Asked]) -> dict[str, str]:
+def otter(exercises: Sequence[GradedExercise]) -> dict[str, str]:
     """A notebook, and beside it a test for each exercise, a case of it for each point."""
     head = 'import otter\n\ngrader = otter.Notebook("exercises.ipynb")'
     cells = [_cell("code", "%load_ext rigidtop"), _cell("code", head)]
@@ -111,7 +111,7 @@ def otter(exercises: Sequence[Asked]) -> dict[str, str]:
     return {"exercises.ipynb": _notebook(cells), **tests}
 
 
-def _test(each: Asked, k: int) -> str:
+def _test(each: GradedExercise, k: int) -> str:
     """A test in the format of OK: it is passed case by case."""
     count = max(1, round(each.points))
     case = "\n".join(
@@ -134,16 +134,16 @@ def _test(each: Asked, k: int) -> str:
     return f"OK_FORMAT = True\n\ntest = {{'name': 'q{k}', 'points': None, 'suites': [{suite!r}]}}\n"
 
 
-def _question(each: Asked) -> str:
+def _question(each: GradedExercise) -> str:
     values = settings(each.exercise.parameters, each.given)
     return f"{markdown(question(each.exercise, values))}\n\n{each.how}"
 
 
-def _answer(each: Asked, k: int) -> str:
+def _answer(each: GradedExercise, k: int) -> str:
     return f"%%answer {each.line} --as answer_{k} --hint tries\n(your answer)"
 
 
-def _call(each: Asked, k: int) -> str:
+def _call(each: GradedExercise, k: int) -> str:
     words = "".join(f", {word!r}" for word in each.given)
     folder = f", folder={each.folder!r}" if each.folder else ""
     name = f"{each.exercise.name!r}"
@@ -177,7 +177,7 @@ def _notebook(cells: Sequence[dict[str, Any]]) -> str:
 # --- Moodle --------------------------------------------------------------------------------------
 
 
-def moodle(exercises: Sequence[Asked]) -> dict[str, str]:
+def moodle(exercises: Sequence[GradedExercise]) -> dict[str, str]:
     """Questions in Moodle's XML, each with a field for every number; it is right to half a percent.
 
     Raises RigidtopError for an exercise without numbers.
@@ -196,7 +196,7 @@ def moodle(exercises: Sequence[Asked]) -> dict[str, str]:
     return {"exercises.xml": ElementTree.tostring(quiz, "unicode", xml_declaration=True) + "\n"}
 
 
-def _html(each: Asked, fields: Sequence[Answer]) -> str:
+def _html(each: GradedExercise, fields: Sequence[Answer]) -> str:
     values = settings(each.exercise.parameters, each.given)
     said = [" ".join(part.split()) for part in each.exercise.statement.split("\n\n")]
     given = [f"{p.about}: {values[p.name]:.6g}{_unit(p.unit)}" for p in each.exercise.parameters]
@@ -218,14 +218,14 @@ def _unit(unit: str) -> str:
     return "" if unit == "1" else f" {unit}"
 
 
-FORMATS: Mapping[str, Callable[[Sequence[Asked]], dict[str, str]]] = {
+FORMATS: Mapping[str, Callable[[Sequence[GradedExercise]], dict[str, str]]] = {
     "nbgrader": nbgrader,
     "otter": otter,
     "moodle": moodle,
 }
 
 
-def write(exercises: Sequence[Asked], kind: str, folder: str) -> list[Path]:
+def write(exercises: Sequence[GradedExercise], kind: str, folder: str) -> list[Path]:
     """The files of a format, each written as a whole into a folder."""
     from rigidtop.terminal.files import check_folder, write_all
 

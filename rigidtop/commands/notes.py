@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from rigidtop.commands.findings import (
-    Finding,
+    AuditFinding,
     absent,
     of_claim,
     of_place,
@@ -41,7 +41,7 @@ class Notes:
 
     files: tuple[Source, ...]
     copies: tuple[Copy, ...]
-    findings: tuple[Finding, ...]
+    findings: tuple[AuditFinding, ...]
 
     @property
     def source(self) -> Source:

@@ -39,7 +39,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 @dataclass(frozen=True)
-class Equation:
+class FileEquation:
     """An equation of a file, or what could not be read, and where it stands.
 
     `statement` is there where its letters are the file's own.
@@ -91,7 +91,7 @@ def _equations(
     macros: Macros,
     rows: Sequence[Counted],
     until: float,
-) -> Iterator[Equation]:
+) -> Iterator[FileEquation]:
     """What a file states, and what of it was not taken; `rows` are those that bear a number.
 
     What comes behind a time of `time.process_time` is unread.
@@ -110,7 +110,9 @@ def _equations(
     for formula in (*formulas(text), *lost):
         number = beside.get(formula.start, "")
         if time.process_time() > until:
-            yield Equation(source, formula.start, number, problem="the time for the file was over")
+            yield FileEquation(
+                source, formula.start, number, problem="the time for the file was over"
+            )
             continue
         read = (
             _in_own_letters(source, formula, macros)
@@ -127,49 +129,49 @@ def _equations(
             yield replace(each, number=own, label=row.label if row is not None else "")
     for problem in (*problems(text), *bare(text)):
         if problem.position not in told:
-            yield Equation(source, problem.position, problem=problem.reason)
+            yield FileEquation(source, problem.position, problem=problem.reason)
     for at, reason in left_out(source, files):
-        yield Equation(source, at, problem=reason)
+        yield FileEquation(source, at, problem=reason)
 
 
-def _in_own_letters(source: Source, formula: Formula, macros: Macros) -> Iterator[Equation]:
+def _in_own_letters(source: Source, formula: Formula, macros: Macros) -> Iterator[FileEquation]:
     """What a formula states where every letter is one of the file's own."""
     from rigidtop.read.statements import statements
     from rigidtop.tree.plain import plain
     from rigidtop.tree.statement import Unread
 
     if formula.problem:
-        yield Equation(source, formula.start, problem=formula.problem)
+        yield FileEquation(source, formula.start, problem=formula.problem)
         return
     for each in statements(formula.text, macros):
         at = formula.start + each.position
         if isinstance(each, Unread):
-            yield Equation(source, at, each.tag, problem=each.reason)
+            yield FileEquation(source, at, each.tag, problem=each.reason)
         elif each.relations or formula.display:
             said = each.condition or ", ".join(map(plain, each.conditions))
-            yield Equation(source, at, each.tag, plain(each), said, statement=each)
+            yield FileEquation(source, at, each.tag, plain(each), said, statement=each)
 
 
 def _in_letters_of(
     source: Source, formula: Formula, notation: Notation, macros: Macros
-) -> Iterator[Equation]:
+) -> Iterator[FileEquation]:
     """What a formula states in the letters of a table."""
     from rigidtop.read.equations import equations
     from rigidtop.typeset.text import text
 
     if formula.problem:
-        yield Equation(source, formula.start, problem=formula.problem)
+        yield FileEquation(source, formula.start, problem=formula.problem)
         return
     for line in equations(formula.text, notation, macros):
         shown = text(line.equation, "typed") if line.equation is not None else None
         at = formula.start + line.position
-        yield Equation(source, at, line.tag, shown, problem=line.problem)
+        yield FileEquation(source, at, line.tag, shown, problem=line.problem)
 
 
 # --- Telling -------------------------------------------------------------------------------------
 
 
-def _records(equations: Sequence[Equation], files: Sequence[Source]) -> list[dict[str, Any]]:
+def _records(equations: Sequence[FileEquation], files: Sequence[Source]) -> list[dict[str, Any]]:
     """One object an equation, as ``--json`` has them."""
     from functools import cache
 

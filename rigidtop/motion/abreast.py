@@ -26,7 +26,7 @@ POWER = -1 / (DOP853.error_estimator_order + 1)
 
 
 @dataclass(frozen=True)
-class Course:
+class InitialValueProblems:
     """What the solver has to know of L motions with n components."""
 
     rates: Callable[[Floats, Which], Floats]
@@ -39,7 +39,9 @@ class Course:
     """Of states (n, L), to which of them a motion may come (L,)."""
 
 
-def states(course: Course, start: Floats, times: Floats, accuracy: Accuracy) -> Floats:
+def states(
+    problems: InitialValueProblems, start: Floats, times: Floats, accuracy: Accuracy
+) -> Floats:
     """The motions from states (n, L) at t = 0, at N `times` that increase in magnitude: (N, n, L).
 
     NaN for motions that do not arrive.
@@ -49,7 +51,7 @@ def states(course: Course, start: Floats, times: Floats, accuracy: Accuracy) -> 
     found[ends == 0] = start
     if ends[-1] > 0:
         with np.errstate(all="ignore"):
-            for step in _steps(course, start, -1.0 if backwards else 1.0, ends[-1], accuracy):
+            for step in _steps(problems, start, -1.0 if backwards else 1.0, ends[-1], accuracy):
                 _sample(step, ends, found)
     return found
 
@@ -104,22 +106,22 @@ def _sample(step: _Step, ends: Floats, found: Floats) -> None:
 
 
 def _steps(
-    course: Course, start: Floats, sign: float, end: float, accuracy: Accuracy
+    problems: InitialValueProblems, start: Floats, sign: float, end: float, accuracy: Accuracy
 ) -> Iterator[_Step]:
     """The steps of all from 0 to `end`, time running as `sign` says; of who is lost no more."""
 
     def rates(states: Floats, which: Which) -> Floats:
-        return sign * course.rates(states, which)
+        return sign * problems.rates(states, which)
 
     y, which, t = start, np.arange(start.shape[1]), np.zeros(start.shape[1])
-    unit, rate = course.sizes(y), rates(y, which)
+    unit, rate = problems.sizes(y), rates(y, which)
     h = _first(rates, y, rate, end, accuracy.rtol, accuracy.atol * unit)
     most = np.full(len(t), MOST)  # right after a step that was too long none is longer
     while len(which):
         h = np.minimum(h, end - t)
         new, stages = _stages(rates, y, rate, h, which)
         scale = accuracy.atol * unit + accuracy.rtol * np.maximum(np.abs(y), np.abs(new))
-        error = np.where(course.allowed(new), _error(stages, h, scale), np.nan)
+        error = np.where(problems.allowed(new), _error(stages, h, scale), np.nan)
         good = error < 1
         if good.any():
             after = np.where(h == end - t, end, t + h)
@@ -128,7 +130,7 @@ def _steps(
             t, y = np.where(good, after, t), np.where(good, new, y)
             rate = np.where(good, stages[-1], rate)
         # What has grown has a larger tolerance from now on.
-        sizes = course.sizes(y)
+        sizes = problems.sizes(y)
         unit = np.where((sizes / unit).max(axis=0) > GROWTH, sizes, unit)
         h = h * np.clip(SAFETY * np.maximum(error, 1e-300) ** POWER, LEAST, most)
         most = np.where(good, MOST, 1.0)

@@ -13,7 +13,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, inertia
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.rigid import RigidBody, Triple
-from rigidtop.motion.start import Start
+from rigidtop.motion.start import InitialState
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class AnyBody(RigidBody):
         True
         """
         start = self.axes if attitude is None else attitude
-        return Motion(self, Start(start, checks.vector("omega", omega)))
+        return Motion(self, InitialState(start, checks.vector("omega", omega)))
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,7 @@ from rigidtop.motion import checks, equations
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import Accuracy
 from rigidtop.motion.motion import Motion
-from rigidtop.motion.start import Start
+from rigidtop.motion.start import InitialState
 from rigidtop.motion.trajectory import Trajectory
 
 NUDGE = 1e-7
@@ -284,7 +284,7 @@ def _amplification(motion: Motion, times: Floats) -> float:
     """The largest change of the attitude at `times`, over the change of the start, at least 1."""
 
     def followed(attitude: Rotation, omega: Floats) -> Trajectory:
-        start = Start(attitude, (omega[0], omega[1], omega[2]))
+        start = InitialState(attitude, (omega[0], omega[1], omega[2]))
         return Motion(motion.body, start).exact(times)
 
     omega = np.array(motion.omega)

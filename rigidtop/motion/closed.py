@@ -14,7 +14,7 @@ from rigidtop.motion import attitude as attitudes
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import free, heavy, heavy_orbit, samples
 from rigidtop.motion.rigid import RigidBody
-from rigidtop.motion.start import AnyStart, Start
+from rigidtop.motion.start import AnyStart, InitialState
 from rigidtop.trace import Solved
 
 
@@ -29,11 +29,11 @@ class Axis:
     turn: Floats | None
     """A quaternion from axes of which the third points to the centre of mass; None: the body's."""
 
-    def start(self, start: AnyStart) -> heavy_orbit.Start:
+    def start(self, start: AnyStart) -> heavy_orbit.HeavyStart:
         """What a motion starts from, in axes of which it is the third."""
         mu, omega3 = self.weight / self.lambda1, start.omega[2]
         b = self.lambda3 * omega3 / self.lambda1
-        return heavy_orbit.Start(mu, b, omega3, *start.halves, *start.rates, *start.angles)
+        return heavy_orbit.HeavyStart(mu, b, omega3, *start.halves, *start.rates, *start.angles)
 
 
 def axis(body: RigidBody) -> Axis:
@@ -71,7 +71,7 @@ def solved(body: RigidBody, start: AnyStart) -> Solved:
     if found.turn is not None:
         turn = attitudes.rotation(found.turn)
         first, second, third = turn.inv().apply(start.omega).tolist()
-        start = Start(start.attitude * turn, (first, second, third))
+        start = InitialState(start.attitude * turn, (first, second, third))
     return heavy.solved(found.start(start))
 
 
@@ -98,7 +98,7 @@ def _free_states(solved: Solved, attitude: Rotation, times: Floats, compiled: bo
         return np.array([[*attitudes.after(first, state[:4]), *state[4:]]]).T
     if compiled and len(times) <= samples.MANY:
         return free.rows(solved, first, times)
-    orbit: free.Orbit = solved.orbit
+    orbit: free.FreeOrbit = solved.orbit
 
     def columns(t: Floats) -> Sequence[Floats]:
         state = orbit.at(t)
@@ -108,9 +108,12 @@ def _free_states(solved: Solved, attitude: Rotation, times: Floats, compiled: bo
         return free.rows(solved, first, t) if compiled else samples.in_blocks(columns, t)
 
     rotation = 1 + float(max(abs(times[0]), abs(times[-1]))) * 2 * orbit.sigma
-    names = [each.name for each in fields(free.State)]
+    names = [each.name for each in fields(free.FreeState)]
     needed = [(name, rotation if name[0] == "q" else rotation * orbit.sigma) for name in names]
     even = samples.samples(
-        times, orbit.course, lambda nodes: free.State(*states(nodes)), lambda _: lambda _: needed
+        times,
+        orbit.smoothness,
+        lambda nodes: free.FreeState(*states(nodes)),
+        lambda _: lambda _: needed,
     )
     return even.of(*names) if even is not None else states(times)

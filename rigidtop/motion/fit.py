@@ -13,7 +13,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.free_fit import FreeFit, FreeModel
-from rigidtop.motion.least_squares import Fit, Model, solved, told
+from rigidtop.motion.least_squares import Fit, FitModel, solved, told
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.top_fit import TopFit, TopModel
 
@@ -129,7 +129,7 @@ def _top(times: Floats, angles: dict[str, ArrayLike | None]) -> TopModel:
     return TopModel(times - times[0], theta, np.unwrap(phi), np.unwrap(psi[0]) if psi else None)
 
 
-def _fitted(kind: type[Kind], model: Model[Motion], times: Floats) -> Kind:
+def _fitted(kind: type[Kind], model: FitModel[Motion], times: Floats) -> Kind:
     parameters, inner = solved(model)
     values, covariance = told(model, parameters, inner)
     motion = model.motion(parameters, values, float(times[0]))

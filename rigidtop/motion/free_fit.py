@@ -18,7 +18,7 @@ from rigidtop.motion import inertia
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.body import FreeBody
 from rigidtop.motion.exact import free
-from rigidtop.motion.least_squares import Fit, Model
+from rigidtop.motion.least_squares import Fit, FitModel
 from rigidtop.motion.motion import Motion
 
 SHAPE = (1.0, 1.6, 2.2)
@@ -51,7 +51,7 @@ TUMBLES = (
 
 
 @dataclass(frozen=True, eq=False)
-class FreeModel(Model[Motion]):
+class FreeModel(FitModel[Motion]):
     """log λ of what is not given, ω at the first time, the sensor's turn, the first attitude."""
 
     unknown = TUMBLES

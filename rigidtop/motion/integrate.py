@@ -111,7 +111,7 @@ Held = Callable[[float, Floats], Floats]
 
 
 @dataclass(frozen=True)
-class Problem:
+class InitialValueProblem:
     """ẋ = rates(x), from a state at t = 0 on: what a solver has to know of a motion."""
 
     rates: Rates
@@ -125,7 +125,7 @@ class Problem:
     """What would be right, where the solver gets stuck."""
 
 
-def flow(problem: Problem, end: float, accuracy: Accuracy) -> Flow:
+def flow(problem: InitialValueProblem, end: float, accuracy: Accuracy) -> Flow:
     """Integrate from t = 0 to `end`, which may be negative.
 
     Raises RigidtopError with the solver's message when it does not arrive.
@@ -152,7 +152,7 @@ def joined(pieces: Sequence[Flow]) -> Flow:
     return Flow(path, np.concatenate([np.zeros(1), *(piece.steps[1:] for piece in pieces)]))
 
 
-def _stages(problem: Problem, end: float, accuracy: Accuracy) -> Iterator[Flow]:
+def _stages(problem: InitialValueProblem, end: float, accuracy: Accuracy) -> Iterator[Flow]:
     """The motion from 0 to `end` in pieces; usually one."""
     rates, sizes, held, hint = problem.rates, problem.sizes, problem.held, problem.hint
 

@@ -81,7 +81,7 @@ class Fit(Generic[Moves]):
 
 
 @dataclass(frozen=True, eq=False)
-class Model(ABC, Generic[Moves]):
+class FitModel(ABC, Generic[Moves]):
     """Measurements, and a motion with parameters in a row; of many such rows the columns."""
 
     t: Floats
@@ -170,7 +170,9 @@ def _slopes(function: Callable[[Floats], Floats], parameters: Floats) -> Floats:
     return made
 
 
-def _descended(model: Model[Any], start: Floats, rows: Any, weights: Floats, patience: int) -> Any:
+def _descended(
+    model: FitModel[Any], start: Floats, rows: Any, weights: Floats, patience: int
+) -> Any:
     """The least squares near a start: SciPy's result."""
 
     def residuals(parameters: Floats) -> Floats:
@@ -182,7 +184,7 @@ def _descended(model: Model[Any], start: Floats, rows: Any, weights: Floats, pat
     return least_squares(residuals, start, slopes, method="lm", x_scale="jac", max_nfev=patience)
 
 
-def _searched(model: Model[Any], weights: Floats) -> Floats:
+def _searched(model: FitModel[Any], weights: Floats) -> Floats:
     """Parameters of the best motion to which a start leads."""
     count, starts = len(model.t), model.starts()
     ends = [_descended(model, starts[0], _spread(count), weights, 60)]
@@ -200,7 +202,7 @@ def _spread(stop: int) -> Any:
     return np.unique(np.linspace(0, stop - 1, min(stop, SEARCHED)).astype(int))
 
 
-def _sizes(model: Model[Any], residuals: Floats) -> Floats:
+def _sizes(model: FitModel[Any], residuals: Floats) -> Floats:
     """The root mean square of residuals (N, m), for each column that of its instrument."""
     groups, squares = np.array(model.groups), (residuals**2).mean(axis=0)
     size = np.sqrt([squares[groups == group].mean() for group in groups])
@@ -209,7 +211,7 @@ def _sizes(model: Model[Any], residuals: Floats) -> Floats:
     return sizes
 
 
-def solved(model: Model[Any]) -> tuple[Floats, Floats]:
+def solved(model: FitModel[Any]) -> tuple[Floats, Floats]:
     """Parameters and their covariance; RigidtopError where the measurements do not tell them."""
     if model.data.size <= 2 * len(model.starts()[0]):
         raise RigidtopError(f"{len(model.t)} rows are too few to fit a motion")
@@ -234,7 +236,7 @@ def solved(model: Model[Any]) -> tuple[Floats, Floats]:
     return parameters, covariance
 
 
-def _inverse(model: Model[Any], parameters: Floats, slopes: Floats) -> Floats:
+def _inverse(model: FitModel[Any], parameters: Floats, slopes: Floats) -> Floats:
     """(JᵀJ)⁻¹ of slopes J (rows, n); RigidtopError where some parameters change nothing."""
     norms = np.linalg.norm(slopes, axis=0)
     norms[norms == 0] = 1.0
@@ -248,7 +250,7 @@ def _inverse(model: Model[Any], parameters: Floats, slopes: Floats) -> Floats:
 
 
 def told(
-    model: Model[Any], parameters: Floats, covariance: Floats
+    model: FitModel[Any], parameters: Floats, covariance: Floats
 ) -> tuple[dict[str, float], Floats]:
     """Quantities, and their covariance."""
     values = {name: float(x[0]) for name, x in model.quantities(parameters[None]).items()}

@@ -114,7 +114,7 @@ class _Motions(Periods[NDArray[np.str_], Floats]):
     shape: tuple[int, ...]
 
     @abstractmethod
-    def _orbits(self, index: NDArray[np.intp]) -> free.Orbit | heavy_orbit.Orbit:
+    def _orbits(self, index: NDArray[np.intp]) -> free.FreeOrbit | heavy_orbit.HeavyOrbit:
         """Of the motions whose place in the flattened array is `index`."""
 
     def _of_orbit(self, name: str) -> Any:
@@ -144,9 +144,9 @@ class TopMotions(_Motions):
     shape: tuple[int, ...]
 
     @cached_property
-    def _start(self) -> heavy_orbit.Start:
+    def _start(self) -> heavy_orbit.HeavyStart:
         cos_half, sin_half, sine = attitudes.of_polar_angle(self.theta, np)
-        return heavy_orbit.Start(
+        return heavy_orbit.HeavyStart(
             mu=self.M * self.g * self.R / self.lambda1,
             b=self.lambda3 * self.omega3 / self.lambda1,
             omega3=self.omega3,
@@ -158,8 +158,8 @@ class TopMotions(_Motions):
             psi=self.psi,
         )
 
-    def _orbits(self, index: NDArray[np.intp]) -> heavy_orbit.Orbit:
-        return heavy.solve(heavy_orbit.Start(**_taken(vars(self._start), self.shape, index)))
+    def _orbits(self, index: NDArray[np.intp]) -> heavy_orbit.HeavyOrbit:
+        return heavy.solve(heavy_orbit.HeavyStart(**_taken(vars(self._start), self.shape, index)))
 
     def exact(self, t: ArrayLike, progress: Progress | None = None) -> TopState:
         """The states at the times `t` (s), which broadcast against `shape`.
@@ -184,7 +184,7 @@ class FreeMotions(_Motions):
     omega: Floats
     shape: tuple[int, ...]
 
-    def _orbits(self, index: NDArray[np.intp]) -> free.Orbit:
+    def _orbits(self, index: NDArray[np.intp]) -> free.FreeOrbit:
         of = {"moments": self.moments, "omega": self.omega}
         return free.solve(
             *(

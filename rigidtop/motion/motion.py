@@ -18,7 +18,7 @@ from rigidtop.motion.integrate import (
     Accuracy,
     Flow,
     Flows,
-    Problem,
+    InitialValueProblem,
     flow,
     on_both_sides,
     with_angles,
@@ -116,9 +116,9 @@ class Motion(Moving, Periods[str, float]):
         return closed.solved(self.body, self.initial)
 
     @property
-    def orbit(self) -> free.Orbit | heavy_orbit.Orbit:
+    def orbit(self) -> free.FreeOrbit | heavy_orbit.HeavyOrbit:
         """The closed form: its periods, its turning points and its state at any times."""
-        found: free.Orbit | heavy_orbit.Orbit = self.solved.orbit
+        found: free.FreeOrbit | heavy_orbit.HeavyOrbit = self.solved.orbit
         return found
 
     def _of_orbit(self, name: str) -> Any:
@@ -152,7 +152,9 @@ class Motion(Moving, Periods[str, float]):
             parameters = moments[0], moments[2], 1.0, 1.0, weight[2], self.omega[2]
         start = self._initial()
         series = partial(taylor.flow, system, parameters, start)
-        problem = Problem(system.equations(*parameters), start, system.sizes(parameters), series)
+        problem = InitialValueProblem(
+            system.equations(*parameters), start, system.sizes(parameters), series
+        )
         return lambda end: flow(problem, end, accuracy)
 
     def _initial(self) -> Floats:
@@ -205,9 +207,9 @@ class TopMotion(Motion):
             return self._trajectory(times, of_numbers(self.solved.at(float(times[0]))))
         even = None
         if not compiled or len(times) > samples.MANY:
-            orbit: heavy_orbit.Orbit = self.solved.orbit
+            orbit: heavy_orbit.HeavyOrbit = self.solved.orbit
             states = partial(heavy.states, self.solved, compiled=compiled)
-            even = samples.samples(times, orbit.course, states, orbit.sizes)
+            even = samples.samples(times, orbit.smoothness, states, orbit.sizes)
         if even is not None:
             return SampledTop(self, times, lambda name: even.of(name)[0])
         if compiled:

@@ -17,7 +17,7 @@ from rigidtop.motion.rigid import Pair, SymmetricTop, Triple
 
 
 @dataclass(frozen=True, eq=False)
-class Start:
+class InitialState:
     """An attitude and a rotational velocity."""
 
     attitude: Rotation
@@ -84,7 +84,7 @@ class EulerStart:
         return self.theta_dot, self.phi_dot * attitude.of_polar_angle(self.theta)[2]
 
 
-AnyStart = Start | EulerStart
+AnyStart = InitialState | EulerStart
 
 
 @dataclass(frozen=True, eq=False)

@@ -23,7 +23,7 @@ Sizes = Callable[[Floats], Floats]
 
 
 @dataclass(frozen=True)
-class System:
+class ShippedEquations:
     """Shipped equations ẋ = f(x; parameters)."""
 
     equations: Callable[..., equations.Rates]
@@ -68,8 +68,10 @@ def _top_sizes(parameters: Sequence[float]) -> Sizes:
     return sizes
 
 
-TOP = System(equations.heavy_top, (0, 0, 0, 2, 0, 1), _top_rate, _top_sizes)
+TOP = ShippedEquations(equations.heavy_top, (0, 0, 0, 2, 0, 1), _top_rate, _top_sizes)
 """Symmetric about e₃, in the frame that does not turn about it; ω₃ is a parameter."""
 
-BODY = System(equations.heavy_body, (0, 0, 0, 0, 2, 0, 0, 0), _body_rate, lambda _: np.ones_like)
+BODY = ShippedEquations(
+    equations.heavy_body, (0, 0, 0, 0, 2, 0, 0, 0), _body_rate, lambda _: np.ones_like
+)
 """Any body, in the body frame."""

@@ -5,11 +5,11 @@ smallest), with coefficients by recurrence from the shipped equations; what come
 rounding, and dense.  Parameters of the body are parameters of the compiled code, and heyoka keeps
 what it has compiled: one compilation for each tolerance serves all motions of a process.
 
-Time is measured in units near the inverse of `System.rate`, so that a slow motion is integrated
-like a fast one: those units are powers of two, and cost no digit.  Solvers of Taylor series
-choose their steps by an error relative to the largest component; no step is longer than the unit,
-because for such steps the series of what is small, which is linear, converges as fast as the order
-allows.  A motion near the vertical is thus as accurate, relative to itself, as a large one.
+Time is measured in units near the inverse of `ShippedEquations.rate`, so that a slow motion is
+integrated like a fast one: those units are powers of two, and cost no digit.  Solvers of Taylor
+series choose their steps by an error relative to the largest component; no step is longer than the
+unit, because for such steps the series of what is small, which is linear, converges as fast as the
+order allows.  A motion near the vertical is thus as accurate, relative to itself, as a large one.
 (heyoka itself loads SymPy where that is installed; nothing here does.)
 """
 
@@ -27,7 +27,7 @@ import numpy as np
 from rigidtop.errors import RigidtopError
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.integrate import Flow, Held, joined
-from rigidtop.motion.systems import SMALLEST_SIZE, System
+from rigidtop.motion.systems import SMALLEST_SIZE, ShippedEquations
 
 STEPS_AT_ONCE = 20_000
 """Between so many steps, some milliseconds, an interrupt from the keyboard is heard."""
@@ -43,7 +43,7 @@ MOST_STEPS = 10_000_000
 
 
 def flow(
-    system: System, parameters: Sequence[float], start: Floats, end: float, rtol: float
+    system: ShippedEquations, parameters: Sequence[float], start: Floats, end: float, rtol: float
 ) -> Flow:
     """Integrate from t = 0 to `end` (s), which may be negative.
 

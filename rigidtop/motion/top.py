@@ -12,7 +12,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.motion import TopMotion
 from rigidtop.motion.rigid import ROUNDING, SymmetricTop
-from rigidtop.motion.start import GIVEN, Start, from_angles, from_constants
+from rigidtop.motion.start import GIVEN, InitialState, from_angles, from_constants
 
 __all__ = ["ROUNDING", "HeavyTop"]
 
@@ -124,6 +124,6 @@ at least 404.408656 J
                 )
             if attitude is None or omega is None:
                 raise RigidtopError("attitude and omega are needed together")
-            return TopMotion(self, Start(attitude, checks.vector("omega", omega)))
+            return TopMotion(self, InitialState(attitude, checks.vector("omega", omega)))
         missing = "give theta and the spin (omega3 or psi_dot), or attitude and omega, or constants"
         return TopMotion(self, from_angles(missing, *angles))

@@ -12,7 +12,7 @@ from scipy.integrate import cumulative_trapezoid
 from rigidtop.motion import attitude as attitudes
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import heavy, heavy_orbit
-from rigidtop.motion.least_squares import Fit, Model
+from rigidtop.motion.least_squares import Fit, FitModel
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.top import HeavyTop
 
@@ -47,7 +47,7 @@ def _lines(columns: list[Floats], wanted: Floats) -> Floats:
 
 
 @dataclass(frozen=True, eq=False)
-class TopModel(Model[Motion]):
+class TopModel(FitModel[Motion]):
     """λ₃ω₃/λ₁, MgR/λ₁, θ, θ̇, φ and φ̇ sin θ at the first time; with ψ measured ω₃ and ψ too."""
 
     unknown = NUTATES
@@ -65,12 +65,14 @@ class TopModel(Model[Motion]):
     def groups(self) -> list[int]:
         return [*range(len(self.measured))]
 
-    def start(self, parameters: Floats) -> heavy_orbit.Start:
+    def start(self, parameters: Floats) -> heavy_orbit.HeavyStart:
         """What a motion starts from, each (P, 1)."""
         b, mu, theta, v_theta, phi, v_phi, *turning = (x[:, None] for x in parameters.T)
         omega3, psi = turning or (b, 0 * b)
         cos_half, sin_half, _ = attitudes.of_polar_angle(np.clip(theta, 1e-9, math.pi - 1e-9), np)
-        return heavy_orbit.Start(abs(mu), b, omega3, cos_half, sin_half, v_theta, v_phi, phi, psi)
+        return heavy_orbit.HeavyStart(
+            abs(mu), b, omega3, cos_half, sin_half, v_theta, v_phi, phi, psi
+        )
 
     def computed(self, parameters: Floats, rows: Any) -> Floats:
         state = heavy.solve(self.start(parameters)).at(self.t[rows])

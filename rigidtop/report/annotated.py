@@ -20,7 +20,7 @@ from rigidtop.typeset import mathml
 
 
 @dataclass(frozen=True)
-class Formula:
+class FormulaSpan:
     """A formula and its place in the text, dollars included.
 
     Its `signs` are shown, a ``<math>`` element, and where it has none the TeX `source`.
@@ -34,7 +34,7 @@ class Formula:
 
 
 @dataclass(frozen=True)
-class Mark:
+class VerdictSpan:
     """An equation with its verdict; it stands in the text from `start` to `end`.
 
     Its `number` is "" where it has none.
@@ -47,7 +47,7 @@ class Mark:
     verdict: str
     passed: bool
     note: str
-    formulas: tuple[Formula, ...]
+    formulas: tuple[FormulaSpan, ...]
 
 
 _COLOPHON = """Each numbered equation with the verdict of the collection of
@@ -58,8 +58,8 @@ counted. All are set sign by sign, as they are written."""
 def write(
     title: str,
     source: str,
-    formulas: Sequence[Formula],
-    marks: Sequence[Mark],
+    formulas: Sequence[FormulaSpan],
+    marks: Sequence[VerdictSpan],
     summary: str,
     others: Sequence[str] = (),
     done: str = "audited",
@@ -101,11 +101,11 @@ def write(
 # --- Equations -----------------------------------------------------------------------------------
 
 
-def _anchor(mark: Mark, n: int) -> str:
+def _anchor(mark: VerdictSpan, n: int) -> str:
     return f"eq-{n + 1}"
 
 
-def _name(mark: Mark) -> str:
+def _name(mark: VerdictSpan) -> str:
     """The number of an equation, or the line of one without."""
     return f"({escape(_clean(mark.number))})" if mark.number else f"line {mark.line}"
 
@@ -137,7 +137,7 @@ _ALIKE = {
 """What is no verdict of a claim, with the verdict that looks like it."""
 
 
-def _framed(mark: Mark, n: int) -> str:
+def _framed(mark: VerdictSpan, n: int) -> str:
     """A marked equation: what it says, its number and verdict, and why."""
     shown = "".join(map(_block, mark.formulas))
     amiss = "" if mark.passed else " amiss"
@@ -149,11 +149,11 @@ def _framed(mark: Mark, n: int) -> str:
     )
 
 
-def _block(formula: Formula) -> str:
+def _block(formula: FormulaSpan) -> str:
     return formula.signs or f"<code>{escape(_clean(formula.source.strip()))}</code>"
 
 
-def _inline(formula: Formula) -> str:
+def _inline(formula: FormulaSpan) -> str:
     shown = _block(formula)
     return f'<span class="shown eq">{shown}</span>' if formula.display else shown
 

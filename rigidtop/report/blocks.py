@@ -55,7 +55,7 @@ COLORS: Mapping[Verdict, tuple[str, str]] = {
 
 
 @dataclass(frozen=True)
-class Unit:
+class UprightUnit:
     """A unit behind a number, in upright letters: kg m², °."""
 
     letters: str
@@ -66,7 +66,7 @@ class Unit:
         return self.letters if self.letters[:1] in "°″%" else "\u2009" + printed_unit(self.letters)
 
 
-Piece = str | Node | Cited | Unit | Verdict
+Piece = str | Node | Cited | UprightUnit | Verdict
 Rich = tuple[Piece, ...]
 """Running text: prose, with formulas as layout nodes, units, citations, verdicts between."""
 
@@ -87,7 +87,7 @@ class Script:
 
     def _piece(self, piece: Piece) -> str:
         match piece:
-            case Unit():
+            case UprightUnit():
                 return self.unit(piece.spaced)
             case Verdict():
                 return self.verdict(piece)
@@ -114,7 +114,7 @@ def listed(items: Iterable[Rich], between: str = ", ", last: str = "") -> Rich:
 
 
 @dataclass(frozen=True)
-class Heading:
+class SectionHead:
     """A section, level 1 for 3.2, level 2 for 3.2.1."""
 
     level: int
@@ -124,7 +124,7 @@ class Heading:
 
 
 @dataclass(frozen=True)
-class Mark:
+class MarginMark:
     """The verdict on a claim in the margin beside it; the `note` tells its conditions.
 
     Where it only says "as above", `above` has what is said there.
@@ -136,7 +136,7 @@ class Mark:
     above: Rich = ()
 
     @property
-    def in_full(self) -> Mark:
+    def in_full(self) -> MarginMark:
         """For where what is above is not in sight."""
         return replace(self, note=self.above or self.note)
 
@@ -151,12 +151,12 @@ class Paragraph:
     content: Rich
     label: str = ""
     held: bool = False
-    mark: Mark | None = None
+    mark: MarginMark | None = None
     anchor: str = ""
 
 
 @dataclass(frozen=True)
-class Row:
+class DisplayRow:
     """An equation of a display.
 
     `reason` is the sentence that belongs to it; `follows` says that it follows from the line
@@ -172,7 +172,7 @@ class Row:
     reason: str | Rich = ""
     follows: bool = False
     verdict: Verdict | None = None
-    mark: Mark | None = None
+    mark: MarginMark | None = None
     anchor: str = ""
     beside: tuple[Equation, ...] = ()
     line: str = ""
@@ -194,7 +194,7 @@ class Display:
     paragraph above it, or stands in one line with its sentence where it is short.
     """
 
-    rows: tuple[Row, ...]
+    rows: tuple[DisplayRow, ...]
     label: str = ""
     room: float = sizes.LINE
     step: bool = False
@@ -225,7 +225,7 @@ class Items:
 
 
 @dataclass(frozen=True)
-class Table:
+class TableBlock:
     """Rows of cells under the heads of their columns.
 
     Its `kind` is one of "values" (words, number, unit), "numbers", "symbols" and "text";  `widths`
@@ -299,7 +299,7 @@ class Subhead:
 
 
 @dataclass(frozen=True)
-class Box:
+class Aside:
     """Where a box begins, which holds what goes beyond the main thread.
 
     One `for_lecturers` is about the notes, not about the subject.
@@ -310,7 +310,7 @@ class Box:
 
 
 @dataclass(frozen=True)
-class BoxEnd:
+class AsideEnd:
     """Where a box ends."""
 
 
@@ -343,17 +343,17 @@ class Room:
 
 
 Block = (
-    Heading
+    SectionHead
     | Paragraph
     | Display
     | ClaimHead
     | Items
-    | Table
+    | TableBlock
     | Figure
     | ExerciseHead
     | Subhead
-    | Box
-    | BoxEnd
+    | Aside
+    | AsideEnd
     | Results
     | Legend
     | NameLine
@@ -389,16 +389,16 @@ class Document:
     opening: Figure | None = None
 
     @property
-    def contents(self) -> tuple[Heading | ExerciseHead, ...]:
+    def contents(self) -> tuple[SectionHead | ExerciseHead, ...]:
         """What its contents list; nothing where a lecture has no sections, as a sheet has none."""
-        kinds = Heading if self.lecture else Heading | ExerciseHead
+        kinds = SectionHead if self.lecture else SectionHead | ExerciseHead
         listed = tuple(b for b in self.blocks if isinstance(b, kinds))
         return listed if any(b.anchor.startswith("section-") for b in listed) else ()
 
     @property
     def keywords(self) -> tuple[str, ...]:
         """The titles of its numbered sections, or else of its exercises."""
-        sections = [b.title for b in self.blocks if isinstance(b, Heading) and b.number]
+        sections = [b.title for b in self.blocks if isinstance(b, SectionHead) and b.number]
         exercises = [b.title for b in self.blocks if isinstance(b, ExerciseHead)]
         return tuple(dict.fromkeys(sections or exercises))
 
@@ -406,9 +406,9 @@ class Document:
 # --- Building ------------------------------------------------------------------------------------
 
 
-def groups(block: Display) -> list[list[Row]]:
+def groups(block: Display) -> list[list[DisplayRow]]:
     """Rows between which no reason and no tag stands: they are aligned with each other."""
-    aligned: list[list[Row]] = []
+    aligned: list[list[DisplayRow]] = []
     for row in block.rows:
         last = aligned[-1][-1] if aligned else None
         if last is None or last.tag or last.verdict or last.order != row.order or row.reason:
@@ -418,16 +418,16 @@ def groups(block: Display) -> list[list[Row]]:
     return aligned
 
 
-def quantities(title: str, rows: Iterable[tuple[str, Piece, str]]) -> Table:
+def quantities(title: str, rows: Iterable[tuple[str, Piece, str]]) -> TableBlock:
     """What was given or found: words, value, unit."""
     head = ("what", "value", "unit")
     cells = tuple((what, value, in_unit(unit)) for what, value, unit in rows)
-    return Table(head, cells, title, "values", (1, 0, 0))
+    return TableBlock(head, cells, title, "values", (1, 0, 0))
 
 
 def in_unit(letters: str) -> Rich:
     """A cell with a unit, empty for a bare number."""
-    return (Unit(letters),) if letters not in ("", "1") else ()
+    return (UprightUnit(letters),) if letters not in ("", "1") else ()
 
 
 def walked(tree: T, change: Callable[[Any, str], Any], name: str = "") -> T:
@@ -465,14 +465,14 @@ def anchor(name: str) -> str:
     return "claim-" + re.sub(r"[^A-Za-z0-9]+", "-", name).strip("-")
 
 
-def headings(page: Page) -> Iterable[Heading]:
+def headings(page: Page) -> Iterable[SectionHead]:
     """The heading of a page, after that of the section above where the page opens it."""
     number = page.section if re.fullmatch(r"[\d.]+", page.section) else ""
     if page.opens:
         above = number.rpartition(".")[0]
-        yield Heading(1, above, page.opens, _section_anchor(above))
+        yield SectionHead(1, above, page.opens, _section_anchor(above))
     level = 2 if page.section.count(".") >= 2 else 1
-    yield Heading(level, number, page.title, _section_anchor(page.section))
+    yield SectionHead(level, number, page.title, _section_anchor(page.section))
 
 
 def _section_anchor(section: str) -> str:

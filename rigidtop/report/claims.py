@@ -73,7 +73,7 @@ def claim_blocks(judgement: Judgement, *, marks: bool = True) -> list[b.Block]:
     return blocks
 
 
-def tagged_rows(judgement: Judgement, mixed: bool = False) -> tuple[b.Row, ...]:
+def tagged_rows(judgement: Judgement, mixed: bool = False) -> tuple[b.DisplayRow, ...]:
     """What the notes print of a claim, with its number."""
     items: list[Definition | Finding] = [
         *(item for item in judgement.items if isinstance(item, Definition)),
@@ -85,12 +85,12 @@ def tagged_rows(judgement: Judgement, mixed: bool = False) -> tuple[b.Row, ...]:
 
 def derivation(judgement: Judgement, mixed: bool) -> Iterable[b.Block]:
     """Steps and formal checks in their order; an equation that stands already is not repeated."""
-    rows: list[b.Row] = []
+    rows: list[b.DisplayRow] = []
     again: list[str] = []
     seen = {_said(f) for f in judgement.findings() if f.check.printed}
     for item in judgement.items:
         if isinstance(item, Step):
-            rows.append(b.Row(item.equation, "auto", reason=item.reason))
+            rows.append(b.DisplayRow(item.equation, "auto", reason=item.reason))
         elif isinstance(item, Finding) and item in judgement.findings():
             if item.check.printed:
                 continue
@@ -117,11 +117,11 @@ def _sentence(words: str) -> str:
     return words[:1].upper() + words[1:].rstrip(".") + "."
 
 
-def _notes_row(item: Definition | Finding, mixed: bool) -> b.Row:
+def _notes_row(item: Definition | Finding, mixed: bool) -> b.DisplayRow:
     if isinstance(item, Definition):
-        return b.Row(item.equation, "printed", item.equation.tag, item.reason)
+        return b.DisplayRow(item.equation, "printed", item.equation.tag, item.reason)
     check = item.check
-    return b.Row(
+    return b.DisplayRow(
         check.claimed,
         "printed",
         check.claimed.tag,
@@ -131,7 +131,7 @@ def _notes_row(item: Definition | Finding, mixed: bool) -> b.Row:
     )
 
 
-def _tagged(rows: Sequence[b.Row], name: str) -> tuple[b.Row, ...]:
+def _tagged(rows: Sequence[b.DisplayRow], name: str) -> tuple[b.DisplayRow, ...]:
     """Each number once, behind the last of its lines; the claim's own if no line has one."""
     tags = [row.tag for row in rows]
     if not any(tags) and b.is_number(name):
@@ -144,17 +144,17 @@ LONGEST = 110.0
 """A meaning that is wider than this is not printed, nor one that does not go into two lines."""
 
 
-def _meanings(judgement: Judgement) -> tuple[b.Row, ...]:
+def _meanings(judgement: Judgement) -> tuple[b.DisplayRow, ...]:
     """What the symbols of the claim stand for in the engine, where that is short and the same
     in all checks of what the notes print, and not shown as a step."""
     checks = [finding.check for finding in judgement.findings()]
     shown = {item.equation.sides for item in judgement.items if isinstance(item, Step)}
-    found: dict[str, set[b.Row]] = {}
+    found: dict[str, set[b.DisplayRow]] = {}
     for check in [c for c in checks if c.printed] or checks:
         for symbol, meaning in check.meaning.items():
             used = any(side.has(symbol) for side in check.claimed.sides)
             if used and _is_shown(symbol, meaning):
-                row = b.Row(Equation(symbol, meaning), "auto")
+                row = b.DisplayRow(Equation(symbol, meaning), "auto")
                 found.setdefault(text(symbol), set()).add(row)
     rows = [
         row for alternatives in found.values() if len(alternatives) == 1 for row in alternatives
@@ -197,12 +197,12 @@ def condition(assumption: Assumption) -> Node:
 
 def measured(
     rows: Sequence[Measure], title: str = "Measured", compared: str = "on a computed motion"
-) -> b.Table:
+) -> b.TableBlock:
     """What was compared: on computed motions, or by a second way to the same number."""
     cells = tuple(
         (row.what, *(lay.decimal(x, 2) for x in (row.error, row.tolerance))) for row in rows
     )
-    return b.Table((compared, "error", "tolerance"), cells, title)
+    return b.TableBlock((compared, "error", "tolerance"), cells, title)
 
 
 def conditions(assumed: Sequence[TestedAssumption]) -> tuple[b.Rich, ...]:
@@ -225,7 +225,7 @@ def _condition(items: Sequence[TestedAssumption], several: bool) -> b.Rich:
     words = f", {first.words.rstrip('.')}" if first.words.rstrip(".") else ""
     stated = "stated" if first.stated else "not stated"
     dropped = "it" if len(relations) == 1 else "the first"
-    relation = relations[0] if len(relations) == 1 else lay.Listed(relations)
+    relation = relations[0] if len(relations) == 1 else lay.Enumeration(relations)
     if items[0].without is None:  # its lines say it
         return (relation, f"{words}.")
     failing = _fails(items[0].claimed) if several else ()

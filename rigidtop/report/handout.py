@@ -41,17 +41,19 @@ class Parts:
     recorded: bool = False
     """Whether all that was found stands with a claim, and not its mark alone."""
 
-    def beside(self, judgement: Judgement, lines: Sequence[Equation]) -> Sequence[b.Mark | b.Block]:
+    def beside(
+        self, judgement: Judgement, lines: Sequence[Equation]
+    ) -> Sequence[b.MarginMark | b.Block]:
         """What stands beside and behind the `lines` of a claim."""
         if self.recorded:
             return claim_blocks(judgement)
         made = marked(judgement, lines)
-        quarrel = [each for each in made if not isinstance(each, b.Mark)]
+        quarrel = [each for each in made if not isinstance(each, b.MarginMark)]
         if not quarrel:
             return made
         # A student has no quarrel with the notes.
-        box = b.Box("The notes", for_lecturers=True), *quarrel, b.BoxEnd()
-        return (*(each for each in made if isinstance(each, b.Mark)), *box)
+        box = b.Aside("The notes", for_lecturers=True), *quarrel, b.AsideEnd()
+        return (*(each for each in made if isinstance(each, b.MarginMark)), *box)
 
     def alone(self, judgement: Judgement) -> list[b.Block]:
         """A claim that has no lines."""
@@ -139,7 +141,7 @@ def spoken_of(text: Text) -> list[str]:
 def stated(judgement: Judgement) -> list[b.Block]:
     """A claim without lines of its own: its words, its reason, its equation as it is printed."""
     mark, *behind = marked(judgement)
-    assert isinstance(mark, b.Mark)
+    assert isinstance(mark, b.MarginMark)
     claim = judgement.claim
     words = " ".join(filter(None, [claim.says.rstrip(".") + ".", claim.reason]))
     rows = tagged_rows(judgement)
@@ -148,7 +150,7 @@ def stated(judgement: Judgement) -> list[b.Block]:
         blocks.append(b.Display(rows))
     for block in derivation(judgement, False):
         blocks.append(replace(block, label="") if isinstance(block, b.Display) else block)
-    return [*blocks, *(block for block in behind if not isinstance(block, b.Mark))]
+    return [*blocks, *(block for block in behind if not isinstance(block, b.MarginMark))]
 
 
 # --- Exercises -----------------------------------------------------------------------------------
@@ -195,7 +197,7 @@ def solutions(
     told: Mapping[str, b.Rich],
 ) -> list[b.Block]:
     """The appendix.  `told` says where a claim of the lecture was derived."""
-    blocks: list[b.Block] = [b.Heading(1, "", "Solutions of the exercises", "solutions")]
+    blocks: list[b.Block] = [b.SectionHead(1, "", "Solutions of the exercises", "solutions")]
     known = dict(told)
     for number, each in enumerate(exercises, 1):
         place = f"{b.anchor(each.exercise.name)}-solution"
@@ -233,7 +235,7 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, b.Rich]) -> list
 def laws(lines: Lecture, shown: Collection[str], notation: Notation) -> list[b.Block]:
     """What the derivations of the `shown` pages start from."""
     cited = law_blocks(lines, shown, notation)
-    return [b.Heading(1, "", "Laws and definitions", "laws"), *cited] if cited else []
+    return [b.SectionHead(1, "", "Laws and definitions", "laws"), *cited] if cited else []
 
 
 def _called(claim: Claim, place: b.Rich) -> b.Rich:
@@ -255,7 +257,7 @@ def results(solution: Solution) -> list[b.Block]:
         if isinstance(outcome, Table):
             columns = tuple(map(in_degrees, outcome.columns, zip(*outcome.rows, strict=True)))
             numbers = cells(list(zip(*(cleaned(column) for _, column in columns), strict=True)))
-            blocks.append(b.Table(tuple(head for head, _ in columns), numbers, outcome.title))
+            blocks.append(b.TableBlock(tuple(head for head, _ in columns), numbers, outcome.title))
     return blocks
 
 
@@ -292,7 +294,7 @@ def summary(judged: b.Judged, parts: Parts, student: bool = False) -> list[b.Blo
                 rows.append((name, tuple(equations), words, judgement.verdict))
     if not rows:
         return []
-    head = b.Heading(1, "", "Summary of results", "results")
+    head = b.SectionHead(1, "", "Summary of results", "results")
     marked = any(verdict is Verdict.ASSUMING for *_, verdict in rows)
     return [head, *[b.Paragraph((CONDITIONS,))] * marked, b.Results(tuple(rows))]
 
@@ -317,11 +319,11 @@ def looked_up(blocks: Sequence[b.Block], parts: Parts) -> list[b.Block]:
     words = (x.words if isinstance(x, b.Cited) else x for x in pieces)
     numbers = {n[1:-1] for x in words if isinstance(x, str) for n in NUMBER.findall(x)}
     rows = tuple(
-        b.Row(equation, "printed", equation.tag)
+        b.DisplayRow(equation, "printed", equation.tag)
         for number in sorted(numbers - tags(blocks))
         for equation in numbered(parts, number)
     )
-    return [b.Heading(1, "", "Equations cited", "cited"), b.Display(rows)] if rows else []
+    return [b.SectionHead(1, "", "Equations cited", "cited"), b.Display(rows)] if rows else []
 
 
 NUMBER = re.compile(r"(\(\d+\.\d+[a-z]?\))")
@@ -348,16 +350,16 @@ def linked(blocks: Sequence[b.Block]) -> list[b.Block]:
         match part:
             case b.Paragraph():
                 return replace(part, content=cited(part.content))
-            case b.Row(reason=str(words)):
+            case b.DisplayRow(reason=str(words)):
                 return replace(part, reason=cited((words,))) if words else part
-            case b.Row(reason=tuple(words)):
+            case b.DisplayRow(reason=tuple(words)):
                 return replace(part, reason=cited(words))
         return part
 
     return [b.walked(block, leading) for block in blocks]
 
 
-def _once(mark: b.Mark | None, noted: dict[b.Rich, b.Mark]) -> b.Mark | None:
+def _once(mark: b.MarginMark | None, noted: dict[b.Rich, b.MarginMark]) -> b.MarginMark | None:
     """A mark whose note refers to that of a numbered equation above if it says the same."""
     if mark is None or not mark.note:
         return mark
@@ -379,10 +381,10 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
     """Displays apart that have a sentence each, the lines of each with their anchors."""
     parts: list[b.Block] = []
     seen = {block.name for block in blocks if isinstance(block, b.ClaimHead)}
-    noted: dict[b.Rich, b.Mark] = {}
+    noted: dict[b.Rich, b.MarginMark] = {}
     level, asked, nameless, room = 0, 0, 0, ROOM
     for block in blocks:
-        if isinstance(block, b.Heading):
+        if isinstance(block, b.SectionHead):
             level, asked = block.level, 0
             noted.clear()
             room = COLUMN if block.anchor in b.IN_COLUMNS else ROOM
@@ -399,7 +401,7 @@ def parted(blocks: Sequence[b.Block]) -> list[b.Block]:
             seen.add(name if place else "")
             parts.append(replace(block, anchor=place))
         elif isinstance(block, b.Display) and block.label in ("", "Derivation"):
-            groups: list[list[b.Row]] = []
+            groups: list[list[b.DisplayRow]] = []
             for row in block.rows:
                 if row.reason or not groups:
                     groups.append([])

@@ -134,7 +134,7 @@ _CARD = """
 
 def _in_full(block: b.Block) -> b.Block:
     """A block whose notes say in full what is "as above" on a page: that is another slide."""
-    return b.walked(block, lambda part, _: part.in_full if isinstance(part, b.Mark) else part)
+    return b.walked(block, lambda part, _: part.in_full if isinstance(part, b.MarginMark) else part)
 
 
 def _contents(document: b.Document) -> str:
@@ -161,9 +161,11 @@ def _part(head: str, *deep: str) -> str:
     return f"<li>{head}\n<ul>\n{inside}\n</ul></li>" if deep else f"<li>{head}</li>"
 
 
-def _entry(block: b.Heading | b.ExerciseHead) -> str:
+def _entry(block: b.SectionHead | b.ExerciseHead) -> str:
     """A line of the contents."""
-    kind, number = ("", block.number) if isinstance(block, b.Heading) else (' class="ask"', "Ex.")
+    kind, number = (
+        ("", block.number) if isinstance(block, b.SectionHead) else (' class="ask"', "Ex.")
+    )
     title = f'<span class="n">{number}</span>{prose_html(block.title)}'
     return f'<a{kind} href="#{block.anchor}">{title}</a>'
 
@@ -173,7 +175,7 @@ def _sections(document: b.Document, figures: Mapping[str, str]) -> list[str]:
     made: list[str] = []
     end = ""
     for block in document.blocks:
-        if isinstance(block, b.Heading) and block.level == 1:
+        if isinstance(block, b.SectionHead) and block.level == 1:
             wide = block.anchor not in b.IN_COLUMNS
             made += [end, "" if wide else '<div class="columns">']
             end = "" if wide else "</div>"
@@ -234,7 +236,7 @@ def html_block(block: b.Block) -> str:
 
 
 @html_block.register
-def _(block: b.Heading) -> str:
+def _(block: b.SectionHead) -> str:
     level = block.level + 1
     number = f'<span class="n">{block.number}</span>' if block.number else ""
     return f'<h{level} id="{block.anchor}">{number}{prose_html(block.title)}</h{level}>'
@@ -249,14 +251,14 @@ def _(block: b.Paragraph) -> str:
     return f'<p class="marked"{place}>{words}</p>{_aside(block.mark)}'
 
 
-def seal(mark: b.Mark) -> str:
+def seal(mark: b.MarginMark) -> str:
     """A verdict in the margin: a mark, its word for those who do not see it."""
     sign = f'<span aria-hidden="true">{b.MARKS[mark.verdict]}</span>'
     word = f'<span class="unseen">{mark.verdict}: </span>'
     return f'<span class="seal {mark.verdict}" title="{mark.verdict}">{sign}{word}</span>'
 
 
-def _aside(mark: b.Mark | None) -> str:
+def _aside(mark: b.MarginMark | None) -> str:
     """The condition of a verdict as a side note."""
     return f'<p class="side">{rich(mark.note)}</p>' if mark is not None and mark.note else ""
 
@@ -282,7 +284,7 @@ def _(block: b.Display) -> str:
     return f"{label}{rows}"
 
 
-def _row(group: Sequence[b.Row], step: bool = False) -> str:
+def _row(group: Sequence[b.DisplayRow], step: bool = False) -> str:
     last = group[-1]
     speaker = group[0]
     why = f'<p class="why">{rich(speaker.spoken)}</p>' if speaker.reason else ""
@@ -366,7 +368,7 @@ def _(block: b.Items) -> str:
 
 
 @html_block.register
-def _(block: b.Table) -> str:
+def _(block: b.TableBlock) -> str:
     rows = [[*map(rich, row)] for row in block.cells]
     title = prose_html(block.title)
     listed = block.kind == "values"
@@ -391,7 +393,8 @@ def _(block: b.ExerciseHead) -> str:
 @html_block.register
 def _(block: b.Legend) -> str:
     items = "".join(
-        f"<li>{seal(b.Mark('', verdict))}{prose_html(words)}</li>" for verdict, words in block.rows
+        f"<li>{seal(b.MarginMark('', verdict))}{prose_html(words)}</li>"
+        for verdict, words in block.rows
     )
     return f'<div class="legend"><p>{escape(block.head)}:</p><ul>{items}</ul></div>'
 
@@ -411,7 +414,7 @@ def _(_: b.Room) -> str:
 def _(block: b.Results) -> str:
     rows = (
         (
-            f'<a href="#{b.anchor(number)}">({number})</a> {seal(b.Mark(number, verdict))}',
+            f'<a href="#{b.anchor(number)}">({number})</a> {seal(b.MarginMark(number, verdict))}',
             mathml.display(equations, "printed", NARROW),
             rich(words),
         )
@@ -428,12 +431,12 @@ def _(block: b.Subhead) -> str:
 
 
 @html_block.register
-def _(block: b.Box) -> str:
+def _(block: b.Aside) -> str:
     return f'<details class="box"><summary>{prose_html(block.title)}</summary>'
 
 
 @html_block.register
-def _(_: b.BoxEnd) -> str:
+def _(_: b.AsideEnd) -> str:
     return "</details>"
 
 

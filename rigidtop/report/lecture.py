@@ -65,14 +65,14 @@ def _told(
 
 
 @dataclass(frozen=True)
-class Picture:
+class PlacedFigure:
     """A figure of the catalogue in a document: under a name of its own, with these parameters."""
 
     name: str
     drawing: Drawing
     given: Mapping[str, float]
 
-    def shows_what(self, other: Picture) -> bool:
+    def shows_what(self, other: PlacedFigure) -> bool:
         """Whether the other picture is this one under another name."""
         same = self.drawing.name == other.drawing.name
         return same and self.drawing.values(self.given) == other.drawing.values(other.given)
@@ -89,7 +89,7 @@ class Picture:
         return b.Figure(self.name, caption, alternative, number)
 
 
-def picture(solution: Solution, notation: Notation | None = None) -> Picture | None:
+def picture(solution: Solution, notation: Notation | None = None) -> PlacedFigure | None:
     """The figure of an exercise, with those of its settings that the figure has too."""
     if not solution.exercise.figure:
         return None
@@ -97,7 +97,7 @@ def picture(solution: Solution, notation: Notation | None = None) -> Picture | N
     known = {parameter.name for parameter in drawing.parameters}
     given = {name: value for name, value in solution.settings.items() if name in known}
     shown = Wording(notation or NOTES_NOTATION).drawing(drawing)
-    return Picture(f"exercise-{solution.exercise.name}", shown, given)
+    return PlacedFigure(f"exercise-{solution.exercise.name}", shown, given)
 
 
 def exercise_fragment(solution: Solution, notation: Notation = NOTES_NOTATION) -> str:
@@ -211,7 +211,7 @@ def write_lecture(
     return _write("lecture", *lecture(judged, solutions, edition), out, wanted, claims)
 
 
-Illustrated = tuple[b.Document, Sequence[Picture]]
+Illustrated = tuple[b.Document, Sequence[PlacedFigure]]
 """A document and its figures."""
 
 
@@ -239,7 +239,8 @@ def lecture(
     closing |= {name: "" for name in spoken if name in drawings and name not in closing}
     order = order_of_figures(lines, [page for page, _ in judged], closing)
     pictures = [
-        Picture(name, drawings[name], drawings[name].asked if student else {}) for name in order
+        PlacedFigure(name, drawings[name], drawings[name].asked if student else {})
+        for name in order
     ]
     chart = _map(lines, notation)
     pictures += [chart] if chart is not None else []
@@ -262,7 +263,7 @@ def lecture(
     blocks += [b.Paragraph((handout.STARTS,))] if laws else []
     blocks += handout.sections(judged, solutions, parts)
     if chart is not None:
-        blocks += [b.Heading(1, "", "What rests on what", "map"), numbered[chart.name]]
+        blocks += [b.SectionHead(1, "", "What rests on what", "map"), numbered[chart.name]]
     blocks += handout.summary(judged, parts, student)
     if not student and solutions:
         blocks += handout.solutions(solutions, parts, told)
@@ -274,18 +275,18 @@ def lecture(
     if front.opening is None:
         return whole, pictures
     drawing = Wording(notation).drawing(named(front.opening.figure))
-    first = Picture("opening", drawing, front.opening.settings)
+    first = PlacedFigure("opening", drawing, front.opening.settings)
     opening = replace(first.described(0), caption=front.opening.invitation)
     return replace(whole, opening=opening), [*pictures, first]
 
 
-LETTERS = b.Heading(1, "", "Symbols, letter by letter in the order of first use", "letters")
+LETTERS = b.SectionHead(1, "", "Symbols, letter by letter in the order of first use", "letters")
 
 LEAST = 4
 """So many numbered equations make a map."""
 
 
-def _map(lines: Lecture, notation: Notation) -> Picture | None:
+def _map(lines: Lecture, notation: Notation) -> PlacedFigure | None:
     """Which numbered equation rests on which, where there are several."""
     numbered = contracted(lines.map, {name for name in lines.names if b.is_number(name)})
     if len(numbered) < LEAST:
@@ -310,7 +311,7 @@ def _map(lines: Lecture, notation: Notation) -> Picture | None:
         printed=caption,
         spoken=alternative,
     )
-    return Picture("map", drawing, {})
+    return PlacedFigure("map", drawing, {})
 
 
 COLUMN = 0.68
@@ -410,7 +411,7 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
 def _write(
     stem: str,
     whole: b.Document,
-    pictures: Sequence[Picture],
+    pictures: Sequence[PlacedFigure],
     out: Path | str,
     wanted: Wanted,
     claims: myst.Claims = (),

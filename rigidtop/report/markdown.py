@@ -64,11 +64,11 @@ def _block(block: b.Block) -> str:
             return f"**{words(block.title)}** ({words(block.asks)})"
         case b.Subhead():
             return f"**{words(block.words)}**"
-        case b.Box():
+        case b.Aside():
             return f"<details><summary>{words(block.title)}</summary>"
-        case b.BoxEnd():
+        case b.AsideEnd():
             return "</details>"
-        case b.Table():
+        case b.TableBlock():
             rows = [[running(cell).strip() for cell in row] for row in block.cells]
             if block.kind == "values":
                 return _table((words(block.title), "", ""), rows, block.right)
@@ -77,7 +77,7 @@ def _block(block: b.Block) -> str:
     raise TypeError(f"no Markdown for {type(block).__name__}")
 
 
-def _row(row: b.Row) -> str:
+def _row(row: b.DisplayRow) -> str:
     lines = aligned_lines([row.equation], row.order, LINE)
     lines[-1] += rf" && \text{{({row.tag})}}" if row.tag else ""
     lines[-1] += rf" && \text{{{row.verdict}}}" if row.verdict is not None else ""

@@ -42,7 +42,9 @@ def set_right(judgement: Judgement) -> Judgement:
 ORDER = list(Verdict).index
 
 
-def marked(judgement: Judgement, lines: Sequence[Equation] = ()) -> tuple[b.Mark | b.Block, ...]:
+def marked(
+    judgement: Judgement, lines: Sequence[Equation] = ()
+) -> tuple[b.MarginMark | b.Block, ...]:
     """The mark of a claim; behind it, where the notes are wrong, the numbers and the right form.
 
     What its text has among its `lines` is not said again.
@@ -50,14 +52,14 @@ def marked(judgement: Judgement, lines: Sequence[Equation] = ()) -> tuple[b.Mark
     claim, verdict = judgement.claim, judgement.verdict
     if verdict in (Verdict.FALSE, Verdict.CONVENTION):
         there = {each.sides for each in lines}
-        mark = b.Mark(claim.name, verdict)
+        mark = b.MarginMark(claim.name, verdict)
         if lines and verdict is Verdict.FALSE:
             # The lines above are right: the mark is that of the sentence in the notes.
             said, *behind = _set_right(judgement, there)
             assert isinstance(said, b.Paragraph)
             return (replace(said, mark=mark), *behind)
         return (mark, *_set_right(judgement, there))
-    return (b.Mark(claim.name, verdict, _note(judgement, lines)),)
+    return (b.MarginMark(claim.name, verdict, _note(judgement, lines)),)
 
 
 def _note(judgement: Judgement, lines: Sequence[Equation]) -> b.Rich:
@@ -124,7 +126,7 @@ def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block
         return
     yield b.Paragraph((*(each for each in words if each != ""), "."), held=bool(corrected))
     rows = tuple(
-        b.Row(finding.check.claimed, "printed", reason=_colon(finding.check.reason, finding))
+        b.DisplayRow(finding.check.claimed, "printed", reason=_colon(finding.check.reason, finding))
         for finding in corrected
     )
     if rows:

@@ -26,7 +26,7 @@ def write(document: b.Document, claims: Claims = ()) -> dict[str, str]:
     """The files of the project by their paths, in the folder ``myst``; figures are in figures/."""
     parts: list[tuple[str, list[b.Block]]] = [("index", [])]
     for block in document.blocks:
-        if isinstance(block, b.Heading) and block.anchor != parts[-1][0]:
+        if isinstance(block, b.SectionHead) and block.anchor != parts[-1][0]:
             parts.append((block.anchor, []))
         parts[-1][1].append(block)
     made = {f"myst/{name}.md": _page(blocks) for name, blocks in parts if name != "index"}
@@ -94,12 +94,12 @@ def _claim(head: b.ClaimHead, blocks: Sequence[b.Block], stands: bool) -> str:
 
 
 def _page(blocks: Sequence[b.Block]) -> str:
-    above = next((block.level - 1 for block in blocks if isinstance(block, b.Heading)), 0)
+    above = next((block.level - 1 for block in blocks if isinstance(block, b.SectionHead)), 0)
     parts, depth = [], 0
     for block in blocks:
-        depth += isinstance(block, b.Box)
+        depth += isinstance(block, b.Aside)
         parts.append(_block(block, above, depth))
-        depth -= isinstance(block, b.BoxEnd)
+        depth -= isinstance(block, b.AsideEnd)
     return "\n\n".join(filter(None, parts)) + "\n"
 
 
@@ -107,14 +107,14 @@ def _block(block: b.Block, above: int, depth: int = 0) -> str:
     """A block of a page as many levels below the title of the whole, in so many boxes."""
     fence = "`" * (6 - depth)  # the outer one is longer
     match block:
-        case b.Heading():
+        case b.SectionHead():
             title = f"{block.number} {block.title}".strip()
             return f"({block.anchor})=\n# {markdown.words(title)}"
         case b.Subhead():
             return f"{'#' * (block.level - above)} {markdown.words(block.words)}"
-        case b.Box():
+        case b.Aside():
             return f"{fence}{{admonition}} {markdown.words(block.title)}\n:class: dropdown\n"
-        case b.BoxEnd():
+        case b.AsideEnd():
             return fence
         case b.ExerciseHead():
             head = f"{block.label}. {block.title}"
@@ -128,7 +128,7 @@ def _block(block: b.Block, above: int, depth: int = 0) -> str:
                 f"```{{figure}} ../figures/{block.name}.svg\n:name: {block.anchor}\n"
                 f":alt: {block.alternative}\n\n{label}{markdown.words(block.caption)}\n```"
             )
-        case b.Paragraph(mark=b.Mark()) if block.mark is not None:
+        case b.Paragraph(mark=b.MarginMark()) if block.mark is not None:
             return f"{_margin(block.mark, bool(depth))}\n\n{markdown.markdown([block])}"
         case b.Legend():
             return "\n".join(f"- {b.MARKS[v]} {markdown.words(words)}" for v, words in block.rows)
@@ -158,7 +158,7 @@ def _display(block: b.Display, boxed: bool) -> list[str]:
     return parts
 
 
-def _margin(mark: b.Mark, boxed: bool) -> str:
+def _margin(mark: b.MarginMark, boxed: bool) -> str:
     """What stands beside a line; a box has no margin, so it stands above the line there."""
     note = f" {markdown.running(mark.note)}" if mark.note else ""
     verdict = f"{b.MARKS[mark.verdict]} [{mark.verdict}](#{page_of(b.anchor(mark.name))})"

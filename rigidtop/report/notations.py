@@ -8,7 +8,7 @@ from dataclasses import asdict
 from sympy import Symbol
 
 from rigidtop.notation import Notation
-from rigidtop.report.blocks import Block, Heading, Paragraph, Table, listed
+from rigidtop.report.blocks import Block, Paragraph, SectionHead, TableBlock, listed
 from rigidtop.report.wording import Wording
 from rigidtop.theory import symbols as s
 from rigidtop.theory.lettered import Lettered, stands_for
@@ -84,7 +84,7 @@ def origin(notation: Notation) -> str:
 
 def front(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
     """A section about the notation and its symbols, of those that are `used`."""
-    made: list[Block] = [Heading(1, "", "Notation", "notation")]
+    made: list[Block] = [SectionHead(1, "", "Notation", "notation")]
     made.append(Paragraph((origin(notation).removeprefix("Notation: "),)))
     found = different(notation, used)
     if notation.images:
@@ -95,7 +95,7 @@ def front(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
             (means(x.quantity.meaning), layout(x), layout(notation.in_notes(x))) for x in found
         )
         head = ("meaning", "here", "in the notes")
-        made.append(Table(head, cells, "Written otherwise", "text", (0.62, 0, 0)))
+        made.append(TableBlock(head, cells, "Written otherwise", "text", (0.62, 0, 0)))
     return made
 
 

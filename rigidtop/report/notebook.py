@@ -35,7 +35,7 @@ from rigidtop.proof.exercise import Exercise, texts
 from rigidtop.proof.page import Claim
 from rigidtop.proof.verdict import Judgement, judge
 from rigidtop.report import plain
-from rigidtop.report.blocks import Display, Table
+from rigidtop.report.blocks import Display, TableBlock
 from rigidtop.report.claims import claim_blocks
 from rigidtop.report.markdown import LINE, markdown
 from rigidtop.report.solutions import Solution, question, solved
@@ -74,7 +74,7 @@ def enable(formatter: Any = None) -> None:
         words.for_type(kind, lambda tree, printer, cycle: printer.text(_words(tree)))
     for kind in (sympy.Basic, sympy.MatrixBase, Equation, list, tuple, dict):
         tex.for_type(kind, typeset)
-    for kind in (Claim, Judgement, Exercise, Solution, Steps):
+    for kind in (Claim, Judgement, Exercise, Solution, StepList):
         words.for_type(
             kind, lambda thing, printer, cycle: printer.text(plain.fragment(shown_blocks(thing)))
         )
@@ -177,26 +177,26 @@ OWN_WAY = ("Derivation", "The engine's own expressions")
 
 
 @dataclass(frozen=True)
-class Steps:
+class StepList:
     """The lines of the lecture that lead to an equation or a claim."""
 
     name: str
 
 
-def steps(name: str) -> Steps:
+def steps(name: str) -> StepList:
     """The lines that lead to an equation by its number, or to a claim, as `derive` prints them.
 
     Raises RigidtopError for a name that the lecture does not have.
 
     >>> steps("3.57")
-    Steps(name='3.57')
+    StepList(name='3.57')
     """
     if name not in lecture().names:
         raise RigidtopError(f"no lines of the lecture lead to {name!r}")
-    return Steps(name)
+    return StepList(name)
 
 
-def shown_blocks(thing: Claim | Judgement | Exercise | Solution | Steps) -> list[Any]:
+def shown_blocks(thing: Claim | Judgement | Exercise | Solution | StepList) -> list[Any]:
     """What a notebook shows of a claim, judged, and of an exercise, solved or not.
 
     Of a claim alone its verdict, its conditions and its counterexamples; the whole derivation is in
@@ -204,7 +204,7 @@ def shown_blocks(thing: Claim | Judgement | Exercise | Solution | Steps) -> list
     """
     if isinstance(thing, Exercise):
         return question(thing, settings(thing.parameters))
-    if isinstance(thing, Steps):
+    if isinstance(thing, StepList):
         return way_blocks(lecture(), thing.name)
     if isinstance(thing, Solution):
         made = solution_blocks(thing)
@@ -215,7 +215,7 @@ def shown_blocks(thing: Claim | Judgement | Exercise | Solution | Steps) -> list
     return [
         block
         for block in made
-        if not (isinstance(block, Table) and block.head[-1] == "tolerance")
+        if not (isinstance(block, TableBlock) and block.head[-1] == "tolerance")
         and not (isinstance(block, Display) and block.label in left_out)
     ]
 

@@ -9,7 +9,7 @@ from decimal import ROUND_HALF_UP, Decimal
 
 from rigidtop.report import blocks as b
 from rigidtop.report import plain
-from rigidtop.typeset.nodes import Infix, Node, Number, Power, decimal, negated
+from rigidtop.typeset.nodes import Digits, Infix, Node, Superscript, decimal, negated
 from rigidtop.typeset.words import printed_unit
 
 DIGITS = 6
@@ -49,14 +49,14 @@ def written(value: float | str, unit: str, *, angles: bool = True, digits: int =
     It is rounded to so many significant `digits`.
 
     >>> written(0.5235987755982988, "rad"), written(4.84813681e-07, "rad")
-    ((Number(text='30'), Unit(letters='°')), (Number(text='0.1'), Unit(letters='″')))
+    ((Digits(text='30'), UprightUnit(letters='°')), (Digits(text='0.1'), UprightUnit(letters='″')))
     """
     if not isinstance(value, str) and unit == "rad" and angles:
         small = 0 < abs(value) < SMALLEST_ANGLE
         value = math.degrees(value) * (3600 if small else 1)
         unit = "″" if small else "°"
     number = shown(value, digits, kept=digits == TABLE_DIGITS)
-    return (number,) if isinstance(value, str) or unit == "1" else (number, b.Unit(unit))
+    return (number,) if isinstance(value, str) or unit == "1" else (number, b.UprightUnit(unit))
 
 
 def given(value: float, unit: str) -> b.Rich:
@@ -65,7 +65,7 @@ def given(value: float, unit: str) -> b.Rich:
     if unit == "rad/s":
         slow = abs(value) < SMALLEST_ANGLE
         other = math.degrees(value) * DAY if slow else value * 30 / math.pi
-        made.append((shown(other, GIVEN_DIGITS), b.Unit("°/day" if slow else "rpm")))
+        made.append((shown(other, GIVEN_DIGITS), b.UprightUnit("°/day" if slow else "rpm")))
     best = min(made, key=_significant)
     if best is not made[1] or abs(value) < SMALLEST_ANGLE:
         return best
@@ -88,8 +88,10 @@ def apart(value: float | str, unit: str) -> tuple[str | Node, str]:
     if isinstance(value, str):
         return value, ""
     number, *rest = written(value, unit, digits=TABLE_DIGITS)
-    assert not isinstance(number, b.Cited | b.Unit)
-    return number, printed_unit(rest[0].letters) if rest and isinstance(rest[0], b.Unit) else "1"
+    assert not isinstance(number, b.Cited | b.UprightUnit)
+    return number, printed_unit(rest[0].letters) if rest and isinstance(
+        rest[0], b.UprightUnit
+    ) else "1"
 
 
 # --- Tables --------------------------------------------------------------------------------------
@@ -133,17 +135,19 @@ LEAST = -4
 def _number(value: float, decimals: int) -> Node:
     """A number with so many decimals, a half rounded up: 5.63 for 5.625."""
     exact = Decimal(repr(float(value))).quantize(Decimal(1).scaleb(-decimals), ROUND_HALF_UP)
-    node = Number(f"{abs(exact):f}")
+    node = Digits(f"{abs(exact):f}")
     return negated(node) if exact < 0 else node
 
 
 def _power(value: float) -> Node:
     """A number times a power of ten, but of those of the size of one."""
     digits, _, power = f"{abs(value):.{TABLE_DIGITS - 1}e}".partition("e")
-    node: Node = Number(digits if value else "0")
+    node: Node = Digits(digits if value else "0")
     if int(power):
-        size = Number(str(abs(int(power))))
-        node = Infix("×", node, Power(Number("10"), size if int(power) > 0 else negated(size)))
+        size = Digits(str(abs(int(power))))
+        node = Infix(
+            "×", node, Superscript(Digits("10"), size if int(power) > 0 else negated(size))
+        )
     return negated(node) if value < 0 else node
 
 

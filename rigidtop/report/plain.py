@@ -42,16 +42,16 @@ def _lines(block: b.Block, width: int) -> list[str]:
             return ["", f"{block.label}:", *(line for item in items for line in item)]
         case b.ExerciseHead():
             return _wrapped(f"{block.title}  ({block.asks})", width)
-        case b.Subhead(words=words) | b.Box(title=words):
+        case b.Subhead(words=words) | b.Aside(title=words):
             return ["", f"── {unmarked(words)} ".ljust(width, "─")]
-        case b.BoxEnd():
+        case b.AsideEnd():
             return ["", "─" * width]
-        case b.Table():
+        case b.TableBlock():
             return _table(block, width)
     raise TypeError(f"no text for {type(block).__name__}")
 
 
-def _row(row: b.Row, width: int) -> list[str]:
+def _row(row: b.DisplayRow, width: int) -> list[str]:
     """An equation beneath its sentence."""
     reason = _wrapped(rich(row.spoken), width, "  ", "  ") if row.reason else []
     marks = (f"({row.tag})" if row.tag else "", f"[{row.verdict}]" if row.verdict else "")
@@ -59,7 +59,7 @@ def _row(row: b.Row, width: int) -> list[str]:
     return [*reason, *broken(line, width, "    ")]
 
 
-def _table(block: b.Table, width: int) -> list[str]:
+def _table(block: b.TableBlock, width: int) -> list[str]:
     rows = [[*map(rich, row)] for row in block.cells]
     if block.kind == "values":
         values = [(value, unit.strip(), what) for what, value, unit in rows]

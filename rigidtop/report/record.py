@@ -56,27 +56,27 @@ def document(
                 texts |= {solution.text.name} if solution.text is not None else set()
     cited = law_blocks(lines, texts, notation)
     if cited:
-        blocks += [b.Heading(1, "", "Laws and definitions that are cited", "cited"), *cited]
-    whole = (*parted(blocks), *symbol_list(blocks, b.Heading(1, "", "Symbols", "symbols")))
+        blocks += [b.SectionHead(1, "", "Laws and definitions that are cited", "cited"), *cited]
+    whole = (*parted(blocks), *symbol_list(blocks, b.SectionHead(1, "", "Symbols", "symbols")))
     return b.Document(front.title, front.subtitle, whole, front.source, front.author)
 
 
 def _front(judged: b.Judged) -> Iterable[b.Block]:
     everything = [judgement for _, judgements in judged for judgement in judgements]
-    yield b.Heading(1, "", "How to read the verdicts", "verdicts")
+    yield b.SectionHead(1, "", "How to read the verdicts", "verdicts")
     yield b.Paragraph((READING,))
     counts = Counter(judgement.verdict for judgement in everything)
     rows: list[tuple[b.Rich, ...]] = [
         ((v,), (str(counts[v]),), (words,)) for v, words in LEGEND.items() if counts[v]
     ]
     rows.append((("all",), (str(len(everything)),), ()))
-    yield b.Table(("verdict", "claims", "what it says"), tuple(rows), "", "text", (0, 0, 0.68))
+    yield b.TableBlock(("verdict", "claims", "what it says"), tuple(rows), "", "text", (0, 0, 0.68))
     yield b.Paragraph(("The claims that only exercises make are ours, and are not counted here.",))
     amiss = tuple(_amiss(judgement) for judgement in everything if judgement.verdict in _NOTED)
     if amiss:
-        yield b.Heading(1, "", "What was found in the notes", "found")
+        yield b.SectionHead(1, "", "What was found in the notes", "found")
         head = ("section", "claim", "verdict", "what is amiss")
-        yield b.Table(head, amiss, "", "text", (0, 0.17, 0, 0.5))
+        yield b.TableBlock(head, amiss, "", "text", (0, 0.17, 0, 0.5))
 
 
 _NOTED = (Verdict.ASSUMING, Verdict.CONVENTION, Verdict.FALSE, Verdict.UNDECIDED)
@@ -86,7 +86,7 @@ def _amiss(judgement: Judgement) -> tuple[b.Rich, ...]:
     """A row of the list: what the margin of the lecture says of a claim, or what stands behind."""
     mark, *behind = marked(judgement)
     said = behind[0] if behind else mark
-    content = said.note if isinstance(said, b.Mark) else getattr(said, "content", ())
+    content = said.note if isinstance(said, b.MarginMark) else getattr(said, "content", ())
     content = content or (judgement.claim.says,)
     name = b.Cited(judgement.claim.name, b.anchor(judgement.claim.name))
     return (judgement.section,), (name,), (judgement.verdict,), content

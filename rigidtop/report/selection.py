@@ -6,13 +6,13 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from rigidtop.report.blocks import (
+    Aside,
+    AsideEnd,
     Block,
-    Box,
-    BoxEnd,
     Cited,
     ExerciseHead,
-    Heading,
     Legend,
+    SectionHead,
     Subhead,
     walked,
 )
@@ -25,7 +25,8 @@ def main_thread(blocks: Iterable[Block]) -> list[Block]:
     """The blocks without the boxes.
 
     >>> from rigidtop.report.blocks import Paragraph
-    >>> blocks = [Paragraph(("a",)), Box("More"), Paragraph(("b",)), BoxEnd(), Paragraph(("c",))]
+    >>> aside = Aside("More"), Paragraph(("b",)), AsideEnd()
+    >>> blocks = [Paragraph(("a",)), *aside, Paragraph(("c",))]
     >>> [block.content for block in main_thread(blocks)]
     [('a',), ('c',)]
     """
@@ -37,14 +38,14 @@ def for_students(blocks: Iterable[Block]) -> list[Block]:
     return list(_outside(blocks, lambda box: box.for_lecturers))
 
 
-def _outside(blocks: Iterable[Block], left_out: Callable[[Box], bool]) -> Iterator[Block]:
+def _outside(blocks: Iterable[Block], left_out: Callable[[Aside], bool]) -> Iterator[Block]:
     """The blocks but for the boxes that are left out, with all in them."""
     inside: list[bool] = []  # of each box that is open, whether it is left out
     for block in blocks:
-        inside += [left_out(block)] if isinstance(block, Box) else []
+        inside += [left_out(block)] if isinstance(block, Aside) else []
         if not any(inside):
             yield block
-        if isinstance(block, BoxEnd):
+        if isinstance(block, AsideEnd):
             inside.pop()
 
 
@@ -58,9 +59,9 @@ def projected(blocks: Iterable[Block], solutions: bool = False) -> list[Block]:
     shown: list[Block] = []
     is_shown = True
     for block in main_thread(block for block in blocks if not isinstance(block, Legend)):
-        if isinstance(block, Heading) and block.level == 1:
+        if isinstance(block, SectionHead) and block.level == 1:
             is_shown = block.anchor not in left_out
-        elif isinstance(block, Heading):
+        elif isinstance(block, SectionHead):
             is_shown = True
         elif isinstance(block, ExerciseHead) and not solutions:
             if shown and isinstance(shown[-1], Subhead):  # Exercises

@@ -111,12 +111,12 @@ def numbers(solution: Solution) -> Iterable[b.Block]:
     for outcome in solution.outcomes:
         if isinstance(outcome, Table):
             columns = map(cleaned, zip(*outcome.rows, strict=True))
-            yield b.Table(outcome.columns, cells([*zip(*columns, strict=True)]), outcome.title)
+            yield b.TableBlock(outcome.columns, cells([*zip(*columns, strict=True)]), outcome.title)
     if solution.measures:
         yield confirmed(solution.measures)
 
 
-def confirmed(measures: Sequence[Measure]) -> b.Table:
+def confirmed(measures: Sequence[Measure]) -> b.TableBlock:
     """By how much a second way to the same numbers differs."""
     return measured(measures, "Confirmed", "by a second way")
 

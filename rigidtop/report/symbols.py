@@ -12,20 +12,20 @@ from rigidtop.report.blocks import (
     Block,
     Display,
     ExerciseHead,
-    Heading,
     Paragraph,
-    Table,
+    SectionHead,
+    TableBlock,
     in_unit,
 )
 from rigidtop.theory.lettered import known
-from rigidtop.theory.symbols import Glyph, Quantity
+from rigidtop.theory.symbols import Glyph, VocabularyEntry
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.layout import layout
 from rigidtop.typeset.words import parts
 
 
 def symbol_list(
-    blocks: Sequence[Block], heading: Heading, letters: Iterable[Symbol] = ()
+    blocks: Sequence[Block], heading: SectionHead, letters: Iterable[Symbol] = ()
 ) -> tuple[Block, ...]:
     """The symbols of all displays under a heading; nothing where there are none.
 
@@ -47,7 +47,7 @@ def symbol_list(
             rows.append(((at, len(quantity.glyph.accent), place, str(symbol)), row))
     shown = tuple(row for _, row in sorted(rows, key=lambda pair: pair[0]))
     head = ("symbol", "meaning", "unit")
-    return (heading, Table(head, shown, "", "symbols", (0, 1, 0))) if shown else ()
+    return (heading, TableBlock(head, shown, "", "symbols", (0, 1, 0))) if shown else ()
 
 
 def symbols_used(blocks: Iterable[Block]) -> set[Symbol]:
@@ -56,13 +56,13 @@ def symbols_used(blocks: Iterable[Block]) -> set[Symbol]:
 
 
 INTEGRALS = {
-    elliptic_f: Quantity(Glyph("F"), "Legendre's integral of the first kind", "1"),
-    elliptic_k: Quantity(Glyph("K"), "Legendre's complete integral of the first kind", "1"),
+    elliptic_f: VocabularyEntry(Glyph("F"), "Legendre's integral of the first kind", "1"),
+    elliptic_k: VocabularyEntry(Glyph("K"), "Legendre's complete integral of the first kind", "1"),
 }
 """Functions that have no letter in the vocabulary."""
 
 
-def _quantity(symbol: Basic) -> tuple[int, Quantity | None]:
+def _quantity(symbol: Basic) -> tuple[int, VocabularyEntry | None]:
     return known(symbol) if isinstance(symbol, Symbol) else (0, INTEGRALS[symbol.func])
 
 

@@ -29,8 +29,8 @@ from rigidtop.typeset.words import unmarked
 def write(document: b.Document, figures: Mapping[str, str]) -> str:
     """The document.  `figures` says where the file of each figure lies, as seen from it."""
     parts = list(_joined(document.blocks, figures))
-    headings = sum(isinstance(block, b.Heading) for block in document.blocks)
-    if isinstance(document.blocks[0], b.Heading) and headings > FEW:
+    headings = sum(isinstance(block, b.SectionHead) for block in document.blocks)
+    if isinstance(document.blocks[0], b.SectionHead) and headings > FEW:
         parts.insert(0, r"\clearpage")
     if isinstance(document.blocks[0], b.Legend) and headings > FEW:
         # Then the pages of all that follows do not depend on how long the contents are.
@@ -91,7 +91,7 @@ def chapters(document: b.Document, figures: Mapping[str, str]) -> dict[str, str]
     parts: dict[str, list[Any]] = {}
     name = "marks"  # what they mean comes first
     for block in document.blocks:
-        if isinstance(block, b.Heading):
+        if isinstance(block, b.SectionHead):
             name = block.number or block.anchor
             name = name if name not in parts else f"{name}-{block.anchor}"
         parts.setdefault(name.replace(".", "-"), []).append(block)
@@ -111,7 +111,9 @@ def _joined(
 
     Where the line is to be `measured` equations are there for a column too.
     """
-    at = (k for k, e in enumerate(blocks) if isinstance(e, b.Heading) and e.anchor in b.IN_COLUMNS)
+    at = (
+        k for k, e in enumerate(blocks) if isinstance(e, b.SectionHead) and e.anchor in b.IN_COLUMNS
+    )
     solved = next(at, len(blocks))
     blocks = [*blocks[:solved], *_floating(blocks[solved:])]
     pending = ""
@@ -140,7 +142,7 @@ def _floating(blocks: Sequence[b.Block]) -> Iterator[b.Block]:
     turns: list[tuple[int, int]] = []
     place, begins = 0, False
     for each in blocks:
-        headed = isinstance(each, b.Heading | b.ExerciseHead)
+        headed = isinstance(each, b.SectionHead | b.ExerciseHead)
         place += headed
         turn = 0 if headed else _turn(each)
         if begins and turn == TEXT:
@@ -151,7 +153,7 @@ def _floating(blocks: Sequence[b.Block]) -> Iterator[b.Block]:
 
 
 def _turn(block: b.Block) -> int:
-    if isinstance(block, b.Table) and block.kind == "numbers":
+    if isinstance(block, b.TableBlock) and block.kind == "numbers":
         return 1 + (len(block.head) > 6)
     return 2 if isinstance(block, b.Figure) else TEXT
 
@@ -237,7 +239,7 @@ def tex_block(block: b.Block) -> str:
 
 
 @tex_block.register
-def _(block: b.Heading) -> str:
+def _(block: b.SectionHead) -> str:
     command, level = ("section", 1) if block.level == 1 else ("subsection", 2)
     title = prose(f"{block.number}\u2002{block.title}" if block.number else block.title)
     plain = as_string(f"{block.number} {block.title}".strip())
@@ -300,7 +302,7 @@ def _(block: b.Items) -> str:
 
 
 @tex_block.register
-def _(block: b.Table) -> str:
+def _(block: b.TableBlock) -> str:
     rows = [[*map(rich, row)] for row in block.cells]
     kinds = {"text": _text, "symbols": _symbols, "values": _values, "numbers": _numbers}
     return kinds[block.kind](block, rows)
@@ -309,7 +311,7 @@ def _(block: b.Table) -> str:
 Cells = Sequence[Sequence[str]]
 
 
-def _text(block: b.Table, rows: Cells) -> str:
+def _text(block: b.TableBlock, rows: Cells) -> str:
     columns = "".join(
         rf">{{\raggedright\arraybackslash}}p{{{width}\linewidth}}" if width else "l"
         for width in block.widths
@@ -331,7 +333,7 @@ MOST_KEPT = 10
 """Rows of a table of words that is not parted."""
 
 
-def _symbols(_: b.Table, rows: Cells) -> str:
+def _symbols(_: b.TableBlock, rows: Cells) -> str:
     made = "\n".join(
         rf"\rtsymbol{{{symbol}}}{{{meaning}}}{{{unit.removeprefix(THIN)}}}"
         for symbol, meaning, unit in rows
@@ -342,7 +344,7 @@ def _symbols(_: b.Table, rows: Cells) -> str:
 THIN = r"\,"
 
 
-def _values(block: b.Table, rows: Cells) -> str:
+def _values(block: b.TableBlock, rows: Cells) -> str:
     made = [rf"\rtquantity{{{what}}}{{{value}{unit}}}" for what, value, unit in rows]
     # A list is parted, if at all, between at least so many rows, and only where nothing else is.
     parts = (min(k, len(made) - k) for k in range(len(made)))
@@ -358,7 +360,7 @@ TOGETHER = 4
 """Quantities of a list that stay together."""
 
 
-def _numbers(block: b.Table, rows: Cells) -> str:
+def _numbers(block: b.TableBlock, rows: Cells) -> str:
     first, *others = block.head
     side, *sides = ["r" if k in block.right else "l" for k in range(len(block.head))]
     head = " & ".join([prose(first), *map(_head, map(_stacked, others), sides)])
@@ -442,12 +444,12 @@ ROOM = 62.0
 
 
 @tex_block.register
-def _(block: b.Box) -> str:
+def _(block: b.Aside) -> str:
     return rf"\rtbox{{{prose(block.title)}}}"
 
 
 @tex_block.register
-def _(_: b.BoxEnd) -> str:
+def _(_: b.AsideEnd) -> str:
     return r"\rtboxend"
 
 

@@ -27,18 +27,18 @@ def in_words(node: lay.Node) -> str:
             signs = ["", *(f" {SIGNS[sign]} " for sign in node.signs)]
             sides = zip(signs, node.sides, strict=True)
             return "".join(sign + in_words(side) for sign, side in sides)
-        case lay.Sum(terms=(lay.Signed(negative=True, body=body),)):
+        case lay.Terms(terms=(lay.Signed(negative=True, body=body),)):
             return "-" + in_words(body)
-        case lay.Derivative(body=lay.Letter(), inside=True, order=1):
+        case lay.DifferentialQuotient(body=lay.Atom(), inside=True, order=1):
             d = r"\partial " if node.partial else "d"
             flat = f"{d}{latex(node.body)}/{d}{latex(node.by)}"
             return rf"({flat})_{{\text{{{escape(node.frame)}}}}}" if node.frame else flat
         case lay.Fraction(small=False):
-            ends = [node.over.factors[-1] if isinstance(node.over, lay.Product) else node.over]
-            bare = any(isinstance(end, lay.Apply) and not end.brackets for end in ends)
+            ends = [node.over.factors[-1] if isinstance(node.over, lay.Factors) else node.over]
+            bare = any(isinstance(end, lay.FunctionOf) and not end.brackets for end in ends)
             over = lay.Brackets(node.over) if bare else lay.as_factor(node.over, False)
             single = isinstance(
-                node.under, lay.Letter | lay.Number | lay.Power | lay.Root | lay.Apply
+                node.under, lay.Atom | lay.Digits | lay.Superscript | lay.Radical | lay.FunctionOf
             )
             under = node.under if single else lay.bracketed(node.under)
             return rf"{in_words(over)}/{latex(under)}"
@@ -80,7 +80,7 @@ def stands_alone(block: b.Display) -> bool:
     return fits_in_line(beside(block.rows, block.room), block.room)
 
 
-def beside(rows: Sequence[b.Row], room: float) -> Sequence[b.Row]:
+def beside(rows: Sequence[b.DisplayRow], room: float) -> Sequence[b.DisplayRow]:
     """Short equations of one step side by side, in lines of as many as have room in each."""
     if any(row.tag or row.beside or row.reason for row in rows[1:]) or rows[0].tag:
         return rows
@@ -92,7 +92,7 @@ def beside(rows: Sequence[b.Row], room: float) -> Sequence[b.Row]:
     return rows
 
 
-def _together(rows: Sequence[b.Row]) -> b.Row:
+def _together(rows: Sequence[b.DisplayRow]) -> b.DisplayRow:
     mark = next((row.mark for row in reversed(rows) if row.mark is not None), None)
     anchor = next((row.anchor for row in reversed(rows) if row.anchor), "")
     return replace(rows[0], beside=tuple(r.equation for r in rows[1:]), mark=mark, anchor=anchor)
@@ -102,7 +102,7 @@ WORD = 0.9
 """The width of a letter of a sentence in letters of an equation."""
 
 
-def fits_in_line(rows: Sequence[b.Row], room: float) -> bool:
+def fits_in_line(rows: Sequence[b.DisplayRow], room: float) -> bool:
     """Whether a step has one line with its sentence: it is short, and has no number."""
     row, *more = rows
     if more or row.tag or row.mark is not None or not row.reason:
@@ -122,12 +122,12 @@ def shown(block: b.Display) -> str:
     return rf"\rtstep{{{label}{rich(rows[0].spoken)}}}{{{equations}}}"
 
 
-def abreast(row: b.Row) -> Sequence[Equation]:
+def abreast(row: b.DisplayRow) -> Sequence[Equation]:
     """The equations of one line."""
     return row.equation, *row.beside
 
 
-def display(rows: Sequence[b.Row], room: float = sizes.LINE) -> str:
+def display(rows: Sequence[b.DisplayRow], room: float = sizes.LINE) -> str:
     """The rows in ``align``, smaller where a line is too wide for the page."""
     together = sharing(rows, room)
     # Side notes go out from the sentence: inside the display there is no place for them.
@@ -138,7 +138,7 @@ def display(rows: Sequence[b.Row], room: float = sizes.LINE) -> str:
     return rf"{{\interlinepenalty10000 {made}\par}}" if notes else made
 
 
-def sharing(rows: Sequence[b.Row], room: float) -> list[list[AlignRow]]:
+def sharing(rows: Sequence[b.DisplayRow], room: float) -> list[list[AlignRow]]:
     """Rows share their = sign as long as that does not make them too wide together."""
     together: list[list[AlignRow]] = []
     for row in rows:
@@ -178,7 +178,7 @@ def hung(row: AlignRow) -> AlignRow:
     first, *rest = row.lines
     if first.left is None or sizes.width(first.left) < HUNG:
         return row
-    left = sizes.Line(None, "", first.left)
+    left = sizes.DisplayLine(None, "", first.left)
     return replace(row, lines=(left, replace(first, left=None), *rest), hung=True)
 
 
@@ -186,7 +186,7 @@ HUNG = 6.0
 """A left side that is shorter than this gives no room where it stands alone."""
 
 
-def aligned(row: b.Row, room: float) -> AlignRow:
+def aligned(row: b.DisplayRow, room: float) -> AlignRow:
     mark = f"({row.verdict})" if row.verdict is not None else ""
     lines = tuple(sizes.lines(row.equation, row.order, room))
     if row.beside:
@@ -194,11 +194,11 @@ def aligned(row: b.Row, room: float) -> AlignRow:
         first, *more = every
         assert isinstance(first, lay.Chain)
         (line,) = sizes.lines(first, row.order, 10 * room)
-        lines = (replace(line, right=lay.Listed((line.right, *more), "")),)
+        lines = (replace(line, right=lay.Enumeration((line.right, *more), "")),)
     seal = rf"\rtseal{{{row.mark.verdict}}}" if row.mark is not None else ""
     label = row.anchor if seal or row.tag else ""
     return AlignRow(lines, row.tag, rich(row.spoken), mark, seal, label)
 
 
-def _note(mark: b.Mark | None) -> str:
+def _note(mark: b.MarginMark | None) -> str:
     return rf"\rtnote{{{rich(mark.note)}}}" if mark is not None and mark.note else ""

@@ -52,14 +52,14 @@ def _joined(blocks: Sequence[b.Block], figures: Mapping[str, str]) -> Iterator[s
     words = ends = ""
     above: b.Block | None = None
     for block, after in zip(blocks, [*blocks[1:], None], strict=True):
-        if not ends and isinstance(block, b.Heading) and block.anchor in b.IN_COLUMNS:
+        if not ends and isinstance(block, b.SectionHead) and block.anchor in b.IN_COLUMNS:
             yield "#solutions["
             ends = "]"
         if isinstance(block, b.Paragraph) and goes_on(block, after):
             words = _said(block)
             continue
         if isinstance(block, b.Figure):
-            made = _figure(block, figures[block.name], floats=not isinstance(above, b.Heading))
+            made = _figure(block, figures[block.name], floats=not isinstance(above, b.SectionHead))
         else:
             made = _display(block, words) if isinstance(block, b.Display) else typst_block(block)
         # The place where a figure is told, at the end of the words above it.
@@ -177,7 +177,7 @@ rich = b.Script(
 )
 
 
-def _note(mark: b.Mark | None) -> str:
+def _note(mark: b.MarginMark | None) -> str:
     return f"#note[{rich(mark.note)}]" if mark is not None and mark.note else ""
 
 
@@ -191,7 +191,7 @@ def typst_block(block: b.Block) -> str:
 
 
 @typst_block.register
-def _(block: b.Heading) -> str:
+def _(block: b.SectionHead) -> str:
     number = plain(block.number) + "#h(0.7em)" if block.number else ""
     return f"{'=' * block.level} {number}{prose(block.title)} <{block.anchor}>"
 
@@ -253,7 +253,7 @@ def _display(block: b.Display, before: str = "") -> str:
     return "\n".join(made)
 
 
-def _rows(rows: Sequence[b.Row], lines: Sequence[AlignRow], room: float) -> str:
+def _rows(rows: Sequence[b.DisplayRow], lines: Sequence[AlignRow], room: float) -> str:
     """Rows that share their = sign."""
     if is_wide(lines, room):
         lines = [*map(hung, lines)]
@@ -264,7 +264,7 @@ def _rows(rows: Sequence[b.Row], lines: Sequence[AlignRow], room: float) -> str:
     return f'#eq("{tag}", "{verdict}", $ {body} ${mark}){_place(row)}'
 
 
-def _place(row: b.Row) -> str:
+def _place(row: b.DisplayRow) -> str:
     return f' #label("{row.anchor}")' if row.anchor else ""
 
 
@@ -292,7 +292,7 @@ def _table(columns: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> 
 
 
 @typst_block.register
-def _(block: b.Table) -> str:
+def _(block: b.TableBlock) -> str:
     rows = [
         [f"#align(right)[{rich(x)}]" if k in block.right else rich(x) for k, x in enumerate(row)]
         for row in block.cells
@@ -322,12 +322,12 @@ def _(block: b.Subhead) -> str:
 
 
 @typst_block.register
-def _(block: b.Box) -> str:
+def _(block: b.Aside) -> str:
     return f"#boxed[{prose(block.title)}]["
 
 
 @typst_block.register
-def _(_: b.BoxEnd) -> str:
+def _(_: b.AsideEnd) -> str:
     return "]"
 
 

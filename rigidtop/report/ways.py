@@ -78,7 +78,7 @@ def text_blocks(
     lecture: Lecture,
     text: Text,
     notation: Notation = NOTES,
-    marks: Mapping[str, Sequence[b.Block | b.Mark]] = MappingProxyType({}),
+    marks: Mapping[str, Sequence[b.Block | b.MarginMark]] = MappingProxyType({}),
     figures: Mapping[str, b.Figure] = MappingProxyType({}),
 ) -> list[b.Block]:
     """A page as it is read: its paragraphs, its headings, and every line after its sentence.
@@ -88,10 +88,10 @@ def text_blocks(
     cited by its number.
     """
     blocks: list[b.Block] = []
-    rows: list[b.Row] = []
+    rows: list[b.DisplayRow] = []
     placed = {block.name for block in text.blocks if isinstance(block, Illustration)}
     own = [line.id for line in text.lines]
-    at: dict[str, Sequence[b.Block | b.Mark]] = {}
+    at: dict[str, Sequence[b.Block | b.MarginMark]] = {}
     for name, beside in marks.items():
         ids = [id for id in own if id in lecture.names.get(name, ())]
         if ids:
@@ -114,9 +114,9 @@ def text_blocks(
             if block.line is not None:
                 beside = at.get(block.line.id, ())
                 made = told_rows(lecture, block.line, notation, figures)
-                marked = [each for each in beside if isinstance(each, b.Mark)]
+                marked = [each for each in beside if isinstance(each, b.MarginMark)]
                 rows += [*made[:-1], replace(made[-1], mark=marked[0] if marked else None)]
-                behind = [each for each in beside if not isinstance(each, b.Mark)]
+                behind = [each for each in beside if not isinstance(each, b.MarginMark)]
                 if behind or cited_figures(block.line.words):
                     close()
                     place(block.line.words)
@@ -124,7 +124,7 @@ def text_blocks(
             continue
         close()
         if isinstance(block, BoxEnd):
-            blocks.append(b.BoxEnd())
+            blocks.append(b.AsideEnd())
             continue
         content = running(block.pieces, notation, figures)
         if isinstance(block, Illustration):
@@ -132,7 +132,7 @@ def text_blocks(
         elif isinstance(block, Heading):
             blocks.append(b.Subhead(_titled(content)))
         elif isinstance(block, Box):
-            blocks.append(b.Box(_titled(content), block.for_lecturers))
+            blocks.append(b.Aside(_titled(content), block.for_lecturers))
         else:
             blocks.append(b.Paragraph(content))
             place(block.pieces)
@@ -150,7 +150,7 @@ def told_rows(
     line: Line,
     notation: Notation = NOTES,
     figures: Mapping[str, b.Figure] = MappingProxyType({}),
-) -> list[b.Row]:
+) -> list[b.DisplayRow]:
     """The rows of a line; a law has the words in front that say what its letters are."""
     rows = line_rows(lecture, line.id, notation, figures=figures)
     origin = running(line.origin, notation)
@@ -229,7 +229,7 @@ def line_rows(
     notation: Notation = NOTES,
     above: Collection[str] = (),
     figures: Mapping[str, b.Figure] = MappingProxyType({}),
-) -> list[b.Row]:
+) -> list[b.DisplayRow]:
     """A line with its sentence.  What stands `above`, and is not shown, is called by its name."""
     judged = lecture.judged(id)
     words = _without_it(lecture, judged.line, above, notation, figures)
@@ -238,7 +238,7 @@ def line_rows(
     equations = chained(judged.line.equations)
     last = len(equations) - 1
     return [
-        b.Row(
+        b.DisplayRow(
             notation.written(equation),
             "printed",
             equation.tag,

@@ -19,7 +19,7 @@ from rigidtop.notation.convention import MEANINGS
 from rigidtop.notation.judged import judgement_in
 from rigidtop.notation.translate import Image
 from rigidtop.proof.verdict import Judgement
-from rigidtop.report.blocks import Block, Table, walked
+from rigidtop.report.blocks import Block, TableBlock, walked
 from rigidtop.theory.symbols import VOCABULARY, phi, psi
 from rigidtop.typeset.latex import latex
 from rigidtop.typeset.words import parts
@@ -136,7 +136,7 @@ class Wording:
 
     def symbols(self, block: Block) -> Block:
         """A list of symbols with their meanings in the notation; any other block as it is."""
-        if not (isinstance(block, Table) and block.kind == "symbols" and self.notation.images):
+        if not (isinstance(block, TableBlock) and block.kind == "symbols" and self.notation.images):
             return block
         rows = ((x, self.meaning(str(said)), unit) for x, said, unit in block.rows)
         return replace(block, rows=tuple(rows))

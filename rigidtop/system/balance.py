@@ -17,7 +17,7 @@ import sympy
 from sympy import Expr
 
 from rigidtop.codegen.graph import Direction, Graph
-from rigidtop.codegen.nodes import HALF, ONE, ZERO, Leaf, Power, Product, Sum, Value
+from rigidtop.codegen.nodes import HALF, ONE, ZERO, Leaf, PowerNode, ProductNode, SumNode, Value
 from rigidtop.codegen.nodes import parts as parts_of
 from rigidtop.codegen.solve import SingularError, ldl, solutions
 from rigidtop.system.directions import Column, Directions
@@ -27,7 +27,7 @@ from rigidtop.system.recursion import Recursion
 
 
 @dataclass(frozen=True)
-class Row:
+class MovingComponent:
     """One component of what moves: its rate v with ∂v/∂q̇, its inertia, the force for q̈ = 0."""
 
     jacobian: Column
@@ -193,11 +193,11 @@ class Balance(Directions):
             self.power(lagrangian, A, speeds),
         )
 
-    def push(self, row: Row) -> Value:
+    def push(self, row: MovingComponent) -> Value:
         """I w, the momentum of a component."""
         return self.graph.product([row.inertia, row.rate])
 
-    def energy(self, rows: Iterable[Row], left: Value, pushes: Column) -> Value:
+    def energy(self, rows: Iterable[MovingComponent], left: Value, pushes: Column) -> Value:
         """Jacobi's integral: of each square ½ I w² it is I w (J·q̇ − w/2), of a rest p·q̇ less it."""
         graph = self.graph
         terms = [self.less(left), self.along(pushes)]
@@ -273,15 +273,15 @@ class Balance(Directions):
                 continue
             node, front = graph.nodes[k], graph.total(fronts[k])
             moving = [j for j in parts_of(node) if self.moves((1, j))]
-            if isinstance(node, Sum) and moving:
+            if isinstance(node, SumNode) and moving:
                 for c, j in node.terms:
                     fronts.setdefault(j, []).append(graph.product([front, (c, 0)]))
-            elif isinstance(node, Product) and len(moving) == 1 and moving[0] in node.above:
+            elif isinstance(node, ProductNode) and len(moving) == 1 and moving[0] in node.above:
                 [j] = moving
                 others = [(1, i) for i in node.above if i != j]
                 below = [(1, i) for i in node.below]
                 fronts.setdefault(j, []).append(graph.product([front, *others], below))
-            elif isinstance(node, Power) and node.exponent == 2 and self.is_linear(node.base):
+            elif isinstance(node, PowerNode) and node.exponent == 2 and self.is_linear(node.base):
                 squares.append((graph.product([front, (2, 0)]), node.base))
             else:
                 rest.append(graph.product([front, (1, k)]))
@@ -292,7 +292,7 @@ class Balance(Directions):
         slopes = self.slopes(value, self.along_velocities)
         return self.moves(value) and not any(map(self.moves, slopes))
 
-    def square(self, inertia: Value, rate: Value) -> Row:
+    def square(self, inertia: Value, rate: Value) -> MovingComponent:
         """½ I w² by Lagrange: I w ∂w/∂q̇ derived by time, less the slopes of both by places.
 
         Of a place's rate w nothing but I ẇ ∂w/∂q̇ is left, and the graph sees it.
@@ -310,11 +310,11 @@ class Balance(Directions):
             )
             for J, by_place, change in zip(jacobian, turned, changed, strict=True)
         ]
-        return Row(jacobian, rate, inertia, self.rate(push), slant)
+        return MovingComponent(jacobian, rate, inertia, self.rate(push), slant)
 
     # --- masses and bodies ------------------------------------------------------------------------
 
-    def rows(self, part: Mass | Body) -> Iterator[Row]:
+    def rows(self, part: Mass | Body) -> Iterator[MovingComponent]:
         """Of the centre of mass, and of the turning about it."""
         graph, names = self.graph, self.system.names
         mass = graph.expression(names.plain(part.mass))
@@ -323,11 +323,11 @@ class Balance(Directions):
                 place = graph.expression(x)
                 rate = self.rate(place)
                 bias = graph.product([mass, self.rate(rate)])
-                yield Row(self.slopes(place, self.along_places), rate, mass, bias)
+                yield MovingComponent(self.slopes(place, self.along_places), rate, mass, bias)
         if isinstance(part, Body):
             yield from self.turning(part)
 
-    def turning(self, body: Body) -> list[Row]:
+    def turning(self, body: Body) -> list[MovingComponent]:
         """Iω̇ + ω × Iω, with ω from RᵀṘ = hat(ω), along the axes in which ω·Iω is three squares."""
         graph, names = self.graph, self.system.names
         attitude, inertia = names.plain(body.attitude), names.plain(body.inertia)
@@ -358,7 +358,7 @@ class Balance(Directions):
                 graph.total(graph.product([x, column[i]]) for x, i in along) for column in columns
             ]
             rate = graph.total(graph.product([x, omega[i]]) for x, i in along)
-            made.append(Row(jacobian, rate, inertia, biases[k]))
+            made.append(MovingComponent(jacobian, rate, inertia, biases[k]))
             for i in range(k + 1, 3):
                 biases[i] = graph.difference(biases[i], graph.product([lower[i][k], biases[k]]))
         return made

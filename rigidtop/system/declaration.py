@@ -16,7 +16,7 @@ from rigidtop.codegen.graph import Direction, Graph, somewhere
 from rigidtop.codegen.nodes import ONE, ZERO
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
-from rigidtop.system.names import Given, Names, expression, own_functions, several
+from rigidtop.system.names import Given, PlainSymbols, expression, own_functions, several
 
 
 def acting(forces: Given, q: Given) -> tuple[Expr, ...]:
@@ -34,7 +34,7 @@ def acting(forces: Given, q: Given) -> tuple[Expr, ...]:
     return tuple(expression("a force", each) for each in several(forces))
 
 
-def with_time(names: Names, letters: Iterable[Symbol], q: Sequence[Expr]) -> Names:
+def with_time(names: PlainSymbols, letters: Iterable[Symbol], q: Sequence[Expr]) -> PlainSymbols:
     """The names with the time that stands among the letters, if there is one, which all share."""
     times = {x for x in letters if x.name == names.t.name} - {*names.q, *names.v}
     plain = all(x.is_Symbol for x in q)
@@ -57,7 +57,9 @@ def check_signs(velocities: Sequence[Symbol], given: Sequence[Expr] | None) -> N
             )
 
 
-def check_terms(given: Mapping[str, Sequence[Expr]], q: Sequence[Expr], names: Names) -> None:
+def check_terms(
+    given: Mapping[str, Sequence[Expr]], q: Sequence[Expr], names: PlainSymbols
+) -> None:
     """Nothing but coordinates, velocities, the time and constants stands in what is given."""
     for what, group in given.items():
         for each in map(names.plain, group):
@@ -81,7 +83,7 @@ def check_letters(letters: Iterable[Symbol]) -> None:
             raise RigidtopError(f"two different symbols are called {x.name}")
 
 
-def check_rules(rules: Mapping[Expr, Expr], names: Names) -> None:
+def check_rules(rules: Mapping[Expr, Expr], names: PlainSymbols) -> None:
     """Each constraint, with itself in plain symbols, is of places, or linear in velocities."""
     for given, plain in rules.items():
         if not plain.has(*names.q, *names.v):
@@ -90,7 +92,7 @@ def check_rules(rules: Mapping[Expr, Expr], names: Names) -> None:
             raise RigidtopError(f"the constraint {given} = 0 is not linear in the velocities")
 
 
-def check_sliding(given: Expr, plain: Expr, names: Names) -> None:
+def check_sliding(given: Expr, plain: Expr, names: PlainSymbols) -> None:
     """The velocity of a dry friction, with itself in plain symbols, is linear in velocities."""
     moving = [v for v in names.v if plain.has(v)]
     if not moving or not _is_linear(plain, moving):

@@ -31,7 +31,7 @@ from rigidtop.system.declaration import (
 )
 from rigidtop.system.forms import LARGEST, expanded, grouped, over, readable, short
 from rigidtop.system.friction import DryFriction, apart
-from rigidtop.system.names import Given, Names, expression, multipliers, named, several
+from rigidtop.system.names import Given, PlainSymbols, expression, multipliers, named, several
 from rigidtop.system.parts import Assembly, Part, kinetic_energy
 
 SMALL = 750
@@ -110,7 +110,7 @@ class Derived:
             object.__setattr__(self, name, value)
         self._check()
 
-    names: Names = field(init=False, repr=False, compare=False)
+    names: PlainSymbols = field(init=False, repr=False, compare=False)
     """The plain symbols inside: see `rigidtop.system.names`."""
 
     potential: Expr | None = field(init=False, repr=False, compare=False)

@@ -11,7 +11,7 @@ from sympy import Expr
 
 from rigidtop.codegen.graph import Direction, Graph
 from rigidtop.codegen.nodes import MINUS, ONE, Value
-from rigidtop.system.names import Names
+from rigidtop.system.names import PlainSymbols
 from rigidtop.system.parts import Part
 
 Column = Sequence[Value]
@@ -22,7 +22,7 @@ class Given(Protocol):
     """What is known of a system before anything is derived, in its plain symbols inside."""
 
     @property
-    def names(self) -> Names: ...
+    def names(self) -> PlainSymbols: ...
     @property
     def rest(self) -> Expr: ...
     @property

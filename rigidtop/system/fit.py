@@ -18,7 +18,7 @@ from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.least_squares import Fit, Model, solved, told
+from rigidtop.motion.least_squares import Fit, FitModel, solved, told
 from rigidtop.parameters import in_one_line
 from rigidtop.system.motion import SystemMotion
 from rigidtop.system.names import Given, as_assumed, mapping
@@ -64,7 +64,7 @@ class Range:
 
 
 @dataclass(frozen=True, eq=False)
-class SystemModel(Model[SystemMotion]):
+class SystemModel(FitModel[SystemMotion]):
     """The letters that are free, in a row; the rest of the motion as it is given."""
 
     unknown = "the parameters can't be known from this"

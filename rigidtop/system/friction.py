@@ -9,7 +9,7 @@ import sympy
 from sympy import Expr
 
 from rigidtop.errors import RigidtopError
-from rigidtop.system.names import Given, Names, expression
+from rigidtop.system.names import Given, PlainSymbols, expression
 
 
 @dataclass(frozen=True)
@@ -54,14 +54,14 @@ class DryFriction:
         """What it is given, by what that is."""
         return {f"{name} of a DryFriction": value for name, value in vars(self).items()}
 
-    def velocity(self, names: Names) -> Expr:
+    def velocity(self, names: PlainSymbols) -> Expr:
         """w, plain."""
         of: Expr = names.plain(self.of)
         if of.has(*names.v):
             return of
         return names.rate(of, dict(zip(names.q, names.v, strict=True)))
 
-    def on_coordinates(self, names: Names, sign: Expr | None = None) -> tuple[Expr, ...]:
+    def on_coordinates(self, names: PlainSymbols, sign: Expr | None = None) -> tuple[Expr, ...]:
         """Its generalised forces while it slides with a sign, or with that of w; plain."""
         w = self.velocity(names)
         size = names.plain(self.mu * self.normal)

@@ -10,7 +10,7 @@ import numpy as np
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import Accuracy, Flow, Problem, flow
+from rigidtop.motion.integrate import Accuracy, Flow, InitialValueProblem, flow
 from rigidtop.motion.rows import Rows
 from rigidtop.system.numeric import Computed, computed
 from rigidtop.system.start import sizes
@@ -102,7 +102,7 @@ def lyapunov(
 
     rates(first.tolist())
     with np.errstate(all="ignore"):
-        motion = flow(Problem(rates, first, units, series), end, how)
+        motion = flow(InitialValueProblem(rates, first, units, series), end, how)
     check(motion.path(motion.steps))
     times = np.linspace(0.0, end, ROWS + 1)[1:]
     return LyapunovExponent(times, motion.path(times)[4 * n])

@@ -193,13 +193,13 @@ class SystemMotions(Sequence[SystemMotion]):
         return made
 
     def _abreast(self, which: NDArray[np.intp], times: Floats, accuracy: Accuracy) -> Floats:
-        course = abreast.Course(
+        problems = abreast.InitialValueProblems(
             lambda states, some: self._rates(states, which[some]),
             lambda states: sizes(self.system, states),
             self._allowed,
         )
         start = self._start[:, which]
-        return self._settled(times, start, lambda at: abreast.states(course, start, at, accuracy))
+        return self._settled(times, start, lambda at: abreast.states(problems, start, at, accuracy))
 
     def _in_batches(self, which: NDArray[np.intp], times: Floats, accuracy: Accuracy) -> Floats:
         start, series = self._start[:, which], self.system.numeric.series

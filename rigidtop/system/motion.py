@@ -15,7 +15,7 @@ from sympy import Expr
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import Accuracy, Flow, Held, Problem, flow, on_both_sides
+from rigidtop.motion.integrate import Accuracy, Flow, Held, InitialValueProblem, flow, on_both_sides
 from rigidtop.motion.systems import Sizes
 from rigidtop.system.events import Watched, Zeros, joined_zeros, zeros
 from rigidtop.system.friction import refuse
@@ -272,7 +272,9 @@ class SystemMotion(SystemStart):
         series = partial(self._taylor, start, unit, held)
         own = sizes if held is None else lambda _: unit
         hint = STICKS if self.system.switches else ""
-        return flow(Problem(self.rates_at, start, own, series, held, hint), end, accuracy)
+        return flow(
+            InitialValueProblem(self.rates_at, start, own, series, held, hint), end, accuracy
+        )
 
     @cached_property
     def _slipping(self) -> Slipping:

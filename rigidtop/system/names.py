@@ -19,7 +19,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.parameters import in_one_line
 from rigidtop.theory.lettered import Lettered
-from rigidtop.theory.symbols import Glyph, Quantity
+from rigidtop.theory.symbols import Glyph, VocabularyEntry
 from rigidtop.typeset.nodes import glyph
 
 ExprOrMatrix = TypeVar("ExprOrMatrix", Expr, MatrixBase)
@@ -33,7 +33,7 @@ UNDONE = (Derivative, Integral, Sum, sympy.Product)
 
 
 @dataclass(frozen=True)
-class Names:
+class PlainSymbols:
     """Plain symbols for coordinates, velocities, accelerations and momenta, n of each.
 
     `given` says which of them stand for what was given otherwise; `t` is the time.
@@ -89,7 +89,7 @@ class Names:
         return None
 
 
-def named(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: Iterable[Symbol]) -> Names:
+def named(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: Iterable[Symbol]) -> PlainSymbols:
     """Names for coordinates as they are given.  Raises RigidtopError, in one line, for others.
 
     `taken` are the letters that mean something else already.
@@ -128,7 +128,7 @@ def _row(what: str, given: Given) -> tuple[Expr, ...]:
     return row
 
 
-def _of_symbols(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str]) -> Names:
+def _of_symbols(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str]) -> PlainSymbols:
     if qdot is None:
         raise RigidtopError(
             f"which symbol is the rate of {q[0]}? Plain coordinates need their velocities: "
@@ -148,10 +148,12 @@ def _of_symbols(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str])
     # |x| has no derivative for SymPy where x might be complex.
     real = {x: x if x.is_real else like(x, x.name, real=True) for x in (*q, *qdot)}
     given = {own: x for x, own in real.items() if own != x}
-    return Names(tuple(map(real.get, q)), tuple(map(real.get, qdot)), a, p, Symbol("t"), given)
+    return PlainSymbols(
+        tuple(map(real.get, q)), tuple(map(real.get, qdot)), a, p, Symbol("t"), given
+    )
 
 
-def _of_functions(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str]) -> Names:
+def _of_functions(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str]) -> PlainSymbols:
     times = {x for f in q for x in f.args}
     if len(times) != 1 or not next(iter(times)).is_Symbol:
         raise RigidtopError(f"{', '.join(map(str, q))}: coordinates are functions of one time")
@@ -169,7 +171,7 @@ def _of_functions(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str
         **dict(zip(v, rates, strict=True)),
         **{x: f.diff(t, 2) for x, f in zip(a, q, strict=True)},
     }
-    return Names(plain, v, a, p, t, given)
+    return PlainSymbols(plain, v, a, p, t, given)
 
 
 @dataclass
@@ -198,7 +200,7 @@ def like(x: Symbol, name: str, **assumed: bool) -> Symbol:
 
 def lettered(x: Symbol, place: int = 0) -> Lettered:
     """The same symbol with its letter, and a place in print; a plain one means what it likes."""
-    quantity = x.quantity if isinstance(x, Lettered) else Quantity(glyph(x.name), "", "")
+    quantity = x.quantity if isinstance(x, Lettered) else VocabularyEntry(glyph(x.name), "", "")
     return Lettered(x.name, quantity, place, **x.assumptions0)
 
 
@@ -209,7 +211,7 @@ def _dotted(x: Symbol, free: _Free, order: int) -> Symbol:
     if not isinstance(x, Lettered):
         return free.take(Symbol(name, real=True))
     unit = f"{x.quantity.unit}/s" if order == 1 else f"{x.quantity.unit}/s²"
-    quantity = Quantity(
+    quantity = VocabularyEntry(
         replace(x.quantity.glyph, accent=accent),
         f"{'rate' if order == 1 else 'second rate'} of {x.quantity.meaning}",
         unit if x.quantity.unit else "",
@@ -223,7 +225,7 @@ def _momentum(x: Symbol, free: _Free) -> Symbol:
     if not isinstance(x, Lettered):
         return free.take(Symbol(name, real=True))
     glyph = x.quantity.glyph
-    quantity = Quantity(Glyph("p", sub=glyph.base + glyph.sub), f"momentum of {x.name}", "")
+    quantity = VocabularyEntry(Glyph("p", sub=glyph.base + glyph.sub), f"momentum of {x.name}", "")
     return free.take(Lettered(name, quantity, x.place, real=True))
 
 
@@ -232,7 +234,7 @@ def multipliers(count: int, taken: Iterable[Symbol]) -> tuple[Symbol, ...]:
     free = _Free({x.name for x in taken})
     made = []
     for k in range(count):
-        quantity = Quantity(Glyph("λ", str(k + 1) if count > 1 else ""), "multiplier", "")
+        quantity = VocabularyEntry(Glyph("λ", str(k + 1) if count > 1 else ""), "multiplier", "")
         made.append(free.take(Lettered(f"multiplier{k + 1}", quantity, k, real=True)))
     return tuple(made)
 

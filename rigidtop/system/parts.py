@@ -14,7 +14,7 @@ from sympy import Expr, Integer, Matrix, MatrixBase, Rational
 
 from rigidtop.codegen.graph import Graph, somewhere
 from rigidtop.errors import RigidtopError
-from rigidtop.system.names import Given, Names, expression, several
+from rigidtop.system.names import Given, PlainSymbols, expression, several
 from rigidtop.theory.rotation import vee
 from rigidtop.theory.trig import reduce_trig
 
@@ -153,17 +153,17 @@ def _is_orthogonal(matrix: MatrixBase) -> bool:
     return somewhere(matrix, holds)
 
 
-def velocity(place: MatrixBase, names: Names) -> Matrix:
+def velocity(place: MatrixBase, names: PlainSymbols) -> Matrix:
     """ṙ of a place in plain symbols (3×1)."""
     return names.rate(place, dict(zip(names.q, names.v, strict=True)))
 
 
-def spin(attitude: MatrixBase, names: Names) -> Matrix:
+def spin(attitude: MatrixBase, names: PlainSymbols) -> Matrix:
     """ω in body components, from RᵀṘ = hat(ω) (3×1)."""
     return vee(reduce_trig(attitude.T * velocity(attitude, names)))
 
 
-def kinetic_energy(parts: Sequence[Part], names: Names) -> Expr:
+def kinetic_energy(parts: Sequence[Part], names: PlainSymbols) -> Expr:
     """½ Σ m ṙ² + ½ Σ ω·Iω, in plain symbols."""
     total = Integer(0)
     for part in single(parts):

@@ -11,11 +11,11 @@ import sympy
 from numpy.typing import ArrayLike
 from sympy import Expr, Symbol
 
-from rigidtop.codegen.nodes import ZERO, Call, Leaf
+from rigidtop.codegen.nodes import ZERO, CallNode, Leaf
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks, taylor
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.integrate import Accuracy, Flow, Held, Problem, flow, on_both_sides
+from rigidtop.motion.integrate import Accuracy, Flow, Held, InitialValueProblem, flow, on_both_sides
 from rigidtop.motion.rows import Rows
 from rigidtop.motion.systems import Sizes
 from rigidtop.parameters import in_one_line
@@ -207,7 +207,7 @@ class Variation:
 
         def run(sizes: Sizes) -> Flow:
             series = partial(self._taylor, sizes(self.start))
-            made = flow(Problem(self.rates, self.start, sizes, series, held), end, how)
+            made = flow(InitialValueProblem(self.rates, self.start, sizes, series, held), end, how)
             self.motion.keeps_signs(made.path(made.steps))
             return made
 
@@ -283,7 +283,7 @@ def jumps(system: Computed, moving: set[Symbol]) -> Iterator[Expr]:
         if isinstance(node, Leaf):
             inside = node.expression.atoms(*JUMPS)
             yield from (x for x in sorted(inside, key=str) if x.free_symbols & moving)
-        elif isinstance(node, Call) and node.function in JUMPS:
+        elif isinstance(node, CallNode) and node.function in JUMPS:
             slopes = sides.gradients(node.arguments, order)
             if any(x != ZERO for row in slopes for x in row):
                 [made] = system.lines([(1, k)]).written_out()

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from rigidtop.codegen import languages
-from rigidtop.codegen.values import Value, Values
+from rigidtop.codegen.values import ClaimOutputs, Output
 from rigidtop.errors import RigidtopError
 from rigidtop.parameters import in_one_line
 from rigidtop.proof.equation import Equation
@@ -33,13 +33,13 @@ def source(system: Derived, language: str, name: str) -> str:
     results = (*program.results[:n], *(-x for x in program.results[n:]))
     own = {v: like(lettered(v), names.spelled(v)) for v in names.v}
     outputs = tuple(
-        Value(names.spelled(x), value.xreplace(own), Equation(x, value), lettered(x))
+        Output(names.spelled(x), value.xreplace(own), Equation(x, value), lettered(x))
         for x, value in zip(letters, results, strict=True)
     )
     used = set().union(*(x.free_symbols for x in (*results, *(e for _, e in program.shared))))
     given = [x for x in (names.t, *system.parameters) if x in used]
     time = [x for x in given if x == names.t]
-    made = Values(
+    made = ClaimOutputs(
         claim=name,
         says="the accelerations of " + ", ".join(text(x) for x in names.q),
         outputs=outputs,

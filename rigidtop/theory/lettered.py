@@ -23,7 +23,7 @@ from typing import Any
 
 import sympy
 
-from rigidtop.theory.symbols import VOCABULARY, Glyph, Quantity
+from rigidtop.theory.symbols import VOCABULARY, Glyph, VocabularyEntry
 
 
 class Symbol(sympy.Symbol):
@@ -41,14 +41,14 @@ class Symbol(sympy.Symbol):
 
     __slots__ = ("_sorted_by", "place", "quantity", "stands")
 
-    quantity: Quantity
+    quantity: VocabularyEntry
     place: int
     stands: sympy.Symbol | None
 
     def __new__(
         cls,
         name: str,
-        quantity: Quantity,
+        quantity: VocabularyEntry,
         place: int = 0,
         stands: sympy.Symbol | None = None,
         **assumptions: bool,
@@ -73,17 +73,17 @@ Lettered = Symbol
 
 def positive(name: str, glyph: Glyph, meaning: str, unit: str) -> Lettered:
     """A symbol for what is positive, such as a mass."""
-    return Lettered(name, Quantity(glyph, meaning, unit), positive=True)
+    return Lettered(name, VocabularyEntry(glyph, meaning, unit), positive=True)
 
 
 def real(name: str, glyph: Glyph, meaning: str, unit: str) -> Lettered:
     """A symbol for any real number, such as an angle."""
-    return Lettered(name, Quantity(glyph, meaning, unit), real=True)
+    return Lettered(name, VocabularyEntry(glyph, meaning, unit), real=True)
 
 
 def matrix(name: str, glyph: Glyph, meaning: str, unit: str) -> Lettered:
     """A symbol for a square matrix, whose entries are in this unit."""
-    return Lettered(name, Quantity(glyph, meaning, unit, matrix=True))
+    return Lettered(name, VocabularyEntry(glyph, meaning, unit, matrix=True))
 
 
 def in_order(*symbols: Lettered) -> tuple[Lettered, ...]:
@@ -112,13 +112,13 @@ def stands_for(symbol: sympy.Symbol) -> sympy.Symbol:
     return getattr(symbol, "stands", None) or symbol
 
 
-BY_NAME: dict[str, tuple[int, Quantity]] = {
+BY_NAME: dict[str, tuple[int, VocabularyEntry]] = {
     symbol.name: (position, quantity)
     for position, (symbol, quantity) in enumerate(VOCABULARY.items())
 }
 
 
-def known(symbol: sympy.Symbol) -> tuple[int, Quantity | None]:
+def known(symbol: sympy.Symbol) -> tuple[int, VocabularyEntry | None]:
     """The place of a symbol in the order of print, and its quantity if it has one.
 
     A symbol that brings its own letter is looked up nowhere, whatever its name.

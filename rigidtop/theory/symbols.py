@@ -28,7 +28,7 @@ class Glyph:
 
 
 @dataclass(frozen=True)
-class Quantity:
+class VocabularyEntry:
     """A row of the vocabulary.  `unit` is SI; "1" for a pure number.
 
     "" is for a label or a unit vector.
@@ -40,18 +40,18 @@ class Quantity:
     matrix: bool = False
 
 
-_ROWS: dict[Symbol, Quantity] = {}
+_ROWS: dict[Symbol, VocabularyEntry] = {}
 
 
 def _real(name: str, glyph: Glyph, meaning: str, unit: str) -> Symbol:
     symbol = Symbol(name, real=True)
-    _ROWS[symbol] = Quantity(glyph, meaning, unit)
+    _ROWS[symbol] = VocabularyEntry(glyph, meaning, unit)
     return symbol
 
 
 def _positive(name: str, glyph: Glyph, meaning: str, unit: str) -> Symbol:
     symbol = Symbol(name, positive=True)
-    _ROWS[symbol] = Quantity(glyph, meaning, unit)
+    _ROWS[symbol] = VocabularyEntry(glyph, meaning, unit)
     return symbol
 
 
@@ -359,5 +359,5 @@ L_later = _real(
 )
 F_grav = _real("F_grav", Glyph("F", "grav", bold=True), "weight", "N")
 
-VOCABULARY: Mapping[Symbol, Quantity] = MappingProxyType(_ROWS)
+VOCABULARY: Mapping[Symbol, VocabularyEntry] = MappingProxyType(_ROWS)
 """Every symbol with its glyph, meaning and unit, in the order of print."""

@@ -22,7 +22,7 @@ from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
 from rigidtop.typeset.layout import Order, layout
 from rigidtop.typeset.nodes import Node
-from rigidtop.typeset.sizes import Line
+from rigidtop.typeset.sizes import DisplayLine
 
 _ACCENTS = {"dot": r"\dot{%s}", "ddot": r"\ddot{%s}", "hat": r"\hat{%s}"}
 _KNOWN = frozenset(
@@ -43,7 +43,7 @@ class AlignRow:
     name by which it is cited.  Where it is `hung` its first line is its left side alone.
     """
 
-    lines: tuple[Line, ...]
+    lines: tuple[DisplayLine, ...]
     tag: str = ""
     reason: str = ""
     mark: str = ""
@@ -111,7 +111,7 @@ def row_lines(row: AlignRow) -> list[str]:
     return [first, *rest]
 
 
-def align_row(line: Line) -> str:
+def align_row(line: DisplayLine) -> str:
     """One line with its alignment mark."""
     left = _tex(line.left) + " " if line.left is not None else ""
     sign = SIGNS[line.sign] + " " if line.sign else r"\quad {}"
@@ -132,7 +132,7 @@ def aligned(lines: Sequence[str]) -> str:
     return "\\begin{aligned}\n" + " \\\\\n".join(safe) + "\n\\end{aligned}"
 
 
-def _line_width(line: Line) -> float:
+def _line_width(line: DisplayLine) -> float:
     left = sizes.width(line.left) if line.left is not None else 0
     return left + 3 + sizes.width(line.right)
 
@@ -224,14 +224,14 @@ def _subscript(sub: str) -> str:
 
 def _tex(node: lay.Node) -> str:
     match node:
-        case lay.Number():
+        case lay.Digits():
             return LETTERS.get(node.text, node.text)
-        case lay.Letter():
+        case lay.Atom():
             return letter(node.glyph)
-        case lay.Sum():
+        case lay.Terms():
             terms = (sign.replace("−", "-") + _tex(body) for sign, body in node.signed())
             return "".join(terms).lstrip()
-        case lay.Product():
+        case lay.Factors():
             text = _tex(node.factors[0])
             for joint, factor in zip(node.joints, node.factors[1:], strict=True):
                 text = joined(text + _JOINTS[joint], _tex(factor))
@@ -239,13 +239,13 @@ def _tex(node: lay.Node) -> str:
         case lay.Fraction():
             command = r"\tfrac" if node.small else r"\frac"
             return rf"{command}{{{_tex(node.over)}}}{{{_tex(node.under)}}}"
-        case lay.Power():
+        case lay.Superscript():
             return f"{_tex(node.base)}^{{{_tex(node.exponent)}}}"
-        case lay.Root():
+        case lay.Radical():
             index = f"[{node.index}]" if node.index else ""
             return rf"\sqrt{index}{{{_tex(node.body)}}}"
-        case lay.Apply():
-            if isinstance(node.name, lay.Letter):
+        case lay.FunctionOf():
+            if isinstance(node.name, lay.Atom):
                 name = _tex(node.name)
             else:
                 name = "\\" + node.name if node.name in _KNOWN else rf"\operatorname{{{node.name}}}"
@@ -259,14 +259,14 @@ def _tex(node: lay.Node) -> str:
             )
         case lay.Brackets():
             return _enclosed(_tex(node.body), node.shape, [node.body])
-        case lay.Braced():
+        case lay.BraceBelow():
             return rf"\underbrace{{{_tex(node.body)}}}_{{\equiv {_tex(node.label)}}}"
         case lay.Infix():
             left = _tex(node.left) if node.left else ""
             return f"{left} {SIGNS[node.sign]} {_tex(node.right)}"
         case lay.TransposeOf():
             return f"{_tex(node.body)}^{{T}}"
-        case lay.Derivative():
+        case lay.DifferentialQuotient():
             d = r"\partial" if node.partial else "d"
             order = f"^{{{node.order}}}" if node.order > 1 else ""
             over, under = d + order, joined(d, _tex(node.by)) + order
@@ -287,7 +287,7 @@ def _tex(node: lay.Node) -> str:
             if node.sign == "∫":
                 return rf"\int{index}\,{_tex(node.body)}" if index else rf"\int {_tex(node.body)}"
             return rf"\sum_{{{index}}} {_tex(node.body)}" if index else rf"\sum {_tex(node.body)}"
-        case lay.Measure():
+        case lay.IntegralMeasure():
             if node.bounds:
                 low, high = map(_tex, node.bounds)
                 return f"_{{{low}}}^{{{high}}} d{_tex(node.variable)}"
@@ -295,7 +295,7 @@ def _tex(node: lay.Node) -> str:
         case lay.Grid():
             rows = r" \\ ".join(" & ".join(map(_tex, row)) for row in node.rows)
             return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
-        case lay.Listed():
+        case lay.Enumeration():
             between = ", " if node.between == "," else rf" \quad\text{{{node.between}}}\quad "
             return between.join(map(_tex, node.items))
         case lay.Chain():

@@ -8,9 +8,9 @@ functions of angles; in a sum what has more rates first, so that kinetic stands 
 
 >>> from rigidtop.theory.symbols import lambda1, phidot, theta
 >>> layout(lambda1 * phidot / 2)
-Product(factors=(Fraction(over=Number(text='1'), under=Number(text='2'), small=True), \
-Letter(glyph=Glyph(base='λ', sub='1', accent='', bold=False, prime=False)), \
-Letter(glyph=Glyph(base='φ', sub='', accent='dot', bold=False, prime=False))), joints=('', ''))
+Factors(factors=(Fraction(over=Digits(text='1'), under=Digits(text='2'), small=True), \
+Atom(glyph=Glyph(base='λ', sub='1', accent='', bold=False, prime=False)), \
+Atom(glyph=Glyph(base='φ', sub='', accent='dot', bold=False, prime=False))), joints=('', ''))
 """
 
 from __future__ import annotations
@@ -132,12 +132,12 @@ def _(tree: sympy.Number, order: Order) -> lay.Node:
     if tree.is_extended_negative:
         return lay.negated(_node(-tree, order))
     if tree.is_Rational and tree.q != 1:
-        return lay.Fraction(lay.Number(str(tree.p)), lay.Number(str(tree.q)), small=True)
+        return lay.Fraction(lay.Digits(str(tree.p)), lay.Digits(str(tree.q)), small=True)
     if tree.is_infinite:
-        return lay.Number("∞")
+        return lay.Digits("∞")
     if tree.is_Float:
         return lay.decimal(float(tree))
-    return lay.Number(str(tree))
+    return lay.Digits(str(tree))
 
 
 @_node.register
@@ -147,7 +147,7 @@ def _(tree: sympy.core.numbers.ImaginaryUnit, order: Order) -> lay.Node:
 
 @_node.register
 def _(tree: sympy.NumberSymbol, order: Order) -> lay.Node:
-    return lay.Letter(Glyph({"Pi": "π", "Exp1": "e"}[type(tree).__name__]))
+    return lay.Atom(Glyph({"Pi": "π", "Exp1": "e"}[type(tree).__name__]))
 
 
 @_node.register(Add)
@@ -155,8 +155,8 @@ def _(tree: sympy.NumberSymbol, order: Order) -> lay.Node:
 def _(tree: Expr, order: Order) -> lay.Node:
     terms = tree.args if order == "typed" else ordered_terms(tree.args)
     nodes = [_node(term, order) for term in terms]
-    if order == "mechanics" and isinstance(nodes[0], lay.Sum) and nodes[0].terms[0].negative:
-        positive = [node for node in nodes if not isinstance(node, lay.Sum)]
+    if order == "mechanics" and isinstance(nodes[0], lay.Terms) and nodes[0].terms[0].negative:
+        positive = [node for node in nodes if not isinstance(node, lay.Terms)]
         if positive:  # a sum does not begin with a minus when it need not
             nodes.remove(positive[0])
             nodes.insert(0, positive[0])
@@ -174,22 +174,22 @@ def _(tree: Expr, order: Order) -> lay.Node:
 def _(tree: Expr, order: Order) -> lay.Node:
     base, exponent = tree.args
     if not isinstance(tree, sympy.MatPow) and _divides(tree):
-        return lay.ratio(lay.Number("1"), _denominator(tree, order))
+        return lay.ratio(lay.Digits("1"), _denominator(tree, order))
     if exponent == 1:
         return _node(base, order)
     if base == sympy.E:
-        return lay.Power(lay.Letter(Glyph("e")), lay.flat(_node(exponent, order)))
+        return lay.Superscript(lay.Atom(Glyph("e")), lay.flat(_node(exponent, order)))
     if exponent == sympy.Rational(1, 2) and isinstance(base, Dot) and base.args[0] == base.args[1]:
         return lay.Brackets(_node(base.args[0], order), "||")
     if exponent.is_Rational and exponent.p == 1:
         index = "" if exponent.q == 2 else str(exponent.q)
-        return lay.Root(_node(base, order), index)
+        return lay.Radical(_node(base, order), index)
     return lay.raised(_node(base, order), _node(exponent, order))
 
 
 @_node.register
 def _(tree: sympy.Inverse, order: Order) -> lay.Node:
-    return lay.raised(_node(tree.args[0], order), lay.negated(lay.Number("1")))
+    return lay.raised(_node(tree.args[0], order), lay.negated(lay.Digits("1")))
 
 
 @_node.register
@@ -203,14 +203,14 @@ def _(tree: Expr, order: Order) -> lay.Node:
     body = _node(tree.args[0], order)
     if isinstance(body, lay.TransposeOf):  # a column, which is printed as a row already
         return body
-    if isinstance(body, (lay.Letter, lay.Grid, lay.Brackets)):
+    if isinstance(body, (lay.Atom, lay.Grid, lay.Brackets)):
         return lay.TransposeOf(body)
     return lay.TransposeOf(lay.Brackets(body))
 
 
 @_node.register
 def _(tree: sympy.exp, order: Order) -> lay.Node:
-    return lay.Power(lay.Letter(Glyph("e")), lay.flat(_node(tree.args[0], order)))
+    return lay.Superscript(lay.Atom(Glyph("e")), lay.flat(_node(tree.args[0], order)))
 
 
 @_node.register
@@ -224,9 +224,9 @@ def _(tree: sympy.Derivative, order: Order) -> lay.Node:
     ((variable, count), *others) = tree.variable_count
     if others:
         raise TypeError(f"no layout for a mixed derivative: {tree}")
-    inside = isinstance(body, lay.Letter)
+    inside = isinstance(body, lay.Atom)
     body = body if inside else lay.bracketed(body)
-    return lay.Derivative(body, _node(variable, order), True, inside, order=int(count))
+    return lay.DifferentialQuotient(body, _node(variable, order), True, inside, order=int(count))
 
 
 @_node.register
@@ -237,7 +237,7 @@ def _(tree: Group, order: Order) -> lay.Node:
 @_node.register
 def _(tree: Underbrace, order: Order) -> lay.Node:
     body, label = tree.args
-    return lay.Braced(_node(body, order), _node(label, order))
+    return lay.BraceBelow(_node(body, order), _node(label, order))
 
 
 @_node.register(Cross)
@@ -252,7 +252,7 @@ def _(tree: Partial, order: Order) -> lay.Node:
     body, by = tree.args
     shown, inside = _node(body, order), isinstance(body, Symbol)
     shown = shown if inside else lay.bracketed(shown)
-    return lay.Derivative(shown, _node(by, order), True, inside)
+    return lay.DifferentialQuotient(shown, _node(by, order), True, inside)
 
 
 @_node.register
@@ -263,20 +263,20 @@ def _(tree: Slope, order: Order) -> lay.Node:
         of, count = of.args[0], count + 1
     shown, inside = _node(of, order), isinstance(of, Symbol)
     shown = shown if inside else lay.bracketed(shown)
-    return lay.Derivative(shown, _node(by, order), False, inside, order=count)
+    return lay.DifferentialQuotient(shown, _node(by, order), False, inside, order=count)
 
 
 @_node.register
 def _(tree: Rate, order: Order) -> lay.Node:
-    body, time = _node(tree.args[0], order), lay.Letter(Glyph("t"))
-    if isinstance(body, lay.Derivative) and body.partial and not body.frame:
-        return lay.Derivative(body, time, False, False)
+    body, time = _node(tree.args[0], order), lay.Atom(Glyph("t"))
+    if isinstance(body, lay.DifferentialQuotient) and body.partial and not body.frame:
+        return lay.DifferentialQuotient(body, time, False, False)
     dotted = {"": "dot", "dot": "ddot"}
-    if len(tree.args) == 1 and isinstance(body, lay.Letter) and body.glyph.accent in dotted:
-        return lay.Letter(replace(body.glyph, accent=dotted[body.glyph.accent]))
-    inside, frame = isinstance(body, lay.Letter), "".join(map(str, tree.args[1:]))
+    if len(tree.args) == 1 and isinstance(body, lay.Atom) and body.glyph.accent in dotted:
+        return lay.Atom(replace(body.glyph, accent=dotted[body.glyph.accent]))
+    inside, frame = isinstance(body, lay.Atom), "".join(map(str, tree.args[1:]))
     body = body if inside else lay.bracketed(body)
-    return lay.Derivative(body, time, bool(frame), inside, frame)
+    return lay.DifferentialQuotient(body, time, bool(frame), inside, frame)
 
 
 @_node.register
@@ -293,18 +293,18 @@ def _(tree: VolumeIntegral, order: Order) -> lay.Node:
     if not named:
         return lay.Big("∫", _node(measure, order), _under_big(_node(body, order)))
     vector = {"r": "r_vec", "rp": "r_vecp"}.get(named[2], named[2])
-    node = lay.Measure(named[1], lay.Letter(lay.glyph(vector)))
+    node = lay.IntegralMeasure(named[1], lay.Atom(lay.glyph(vector)))
     return lay.Big("∫", node, _under_big(_node(body, order)))
 
 
 @_node.register
 def _(tree: IntegralOver, order: Order) -> lay.Node:
     variable, low, high, body = (_node(part, order) for part in tree.args)
-    return lay.Big("∫", lay.Measure("", variable, (low, high)), _under_big(body))
+    return lay.Big("∫", lay.IntegralMeasure("", variable, (low, high)), _under_big(body))
 
 
 def _under_big(body: lay.Node) -> lay.Node:
-    return lay.Brackets(body) if isinstance(body, lay.Sum) else body
+    return lay.Brackets(body) if isinstance(body, lay.Terms) else body
 
 
 @_node.register(sympy.And)
@@ -312,26 +312,26 @@ def _under_big(body: lay.Node) -> lay.Node:
 def _(tree: Expr, order: Order) -> lay.Node:
     parts = sorted(tree.args, key=sympy.default_sort_key)
     between = "and" if isinstance(tree, sympy.And) else "or"
-    return lay.Listed(tuple(_node(part, order) for part in parts), between)
+    return lay.Enumeration(tuple(_node(part, order) for part in parts), between)
 
 
 @_node.register
 def _(tree: sympy.Tuple, order: Order) -> lay.Node:
-    return lay.Listed(tuple(_node(part, order) for part in tree.args))
+    return lay.Enumeration(tuple(_node(part, order) for part in tree.args))
 
 
 @_node.register(sympy.logic.boolalg.BooleanAtom)
 def _(tree: Expr, order: Order) -> lay.Node:
-    return lay.Letter(Glyph("true" if tree else "false"))
+    return lay.Atom(Glyph("true" if tree else "false"))
 
 
 def _matrix(tree: Expr, order: Order) -> lay.Node:
     rows, columns = tree.shape
     entries = [_node(entry, order) for entry in tree]
     if columns == 1 and rows > 1:  # a column is printed as the notes do, as a transposed row
-        return lay.TransposeOf(lay.Brackets(lay.Listed(tuple(entries)), "[]"))
+        return lay.TransposeOf(lay.Brackets(lay.Enumeration(tuple(entries)), "[]"))
     if rows == 1 and columns > 1:
-        return lay.Brackets(lay.Listed(tuple(entries)), "[]")
+        return lay.Brackets(lay.Enumeration(tuple(entries)), "[]")
     return lay.Grid(tuple(tuple(entries[r * columns : (r + 1) * columns]) for r in range(rows)))
 
 
@@ -350,11 +350,11 @@ _NAMES = {
 def _function(tree: Expr, order: Order) -> lay.Node:
     arguments = tuple(_node(argument, order) for argument in tree.args)
     if isinstance(tree, sympy.core.function.AppliedUndef):
-        return lay.Apply(lay.Letter(lay.glyph(tree.func.__name__)), arguments, brackets=True)
+        return lay.FunctionOf(lay.Atom(lay.glyph(tree.func.__name__)), arguments, brackets=True)
     name = type(tree).__name__
-    bare = len(arguments) == 1 and isinstance(arguments[0], (lay.Letter, lay.Number))
+    bare = len(arguments) == 1 and isinstance(arguments[0], (lay.Atom, lay.Digits))
     elliptic = name.startswith("elliptic")  # sin θ, but K(m)
-    return lay.Apply(_NAMES.get(name, name), arguments, brackets=elliptic or not bare)
+    return lay.FunctionOf(_NAMES.get(name, name), arguments, brackets=elliptic or not bare)
 
 
 # --- Products as typed ---------------------------------------------------------------------------
@@ -443,9 +443,9 @@ def _ordered_product(tree: Expr) -> lay.Node:
     whole: list[lay.Node] = []
     if under:
         if number.p != 1:
-            over.insert(0, lay.Number(str(number.p)))
+            over.insert(0, lay.Digits(str(number.p)))
         if number.q != 1:
-            under.insert(0, lay.Number(str(number.q)))
+            under.insert(0, lay.Digits(str(number.q)))
         over = [lay.ratio(lay.product(over), lay.product(under))]
     elif number != 1:
         whole = [_node(number, "mechanics")]

@@ -19,7 +19,7 @@ from rigidtop.theory.symbols import Glyph
 from rigidtop.typeset import nodes as lay
 from rigidtop.typeset import sizes
 from rigidtop.typeset.layout import Order, layout
-from rigidtop.typeset.sizes import Line
+from rigidtop.typeset.sizes import DisplayLine
 from rigidtop.typeset.text import text
 
 # Not accent="true": browsers then lay a dot into the letter beneath it.
@@ -64,13 +64,13 @@ INSET = 2
 """By how many em a line stands in that is hung beneath another."""
 
 
-def _row(line: Line) -> str:
+def _row(line: DisplayLine) -> str:
     left = _ml(line.left) if line.left is not None else ""
     sign = _sign(line) or '<mspace width="2em"/>'
     return f"<mtr>{_cell(left, 'right')}{_cell(_group(f'<mi></mi>{sign}{_ml(line.right)}'))}</mtr>"
 
 
-def _hung(line: Line, limit: float) -> str:
+def _hung(line: DisplayLine, limit: float) -> str:
     right = _group(_sign(line) + _ml(line.right))
     if line.left is None:
         return f"<mtr>{_cell(right, inset=INSET)}</mtr>"
@@ -81,7 +81,7 @@ def _hung(line: Line, limit: float) -> str:
     return f"<mtr>{_cell(_group(left + right))}</mtr>"
 
 
-def _sign(line: Line) -> str:
+def _sign(line: DisplayLine) -> str:
     return f'<mo form="infix">{escape(line.sign)}</mo>' if line.sign else ""
 
 
@@ -124,7 +124,7 @@ def labelled(sides: Sequence[tuple[Sequence[Any], int | None]], alt: str) -> str
     for place, (nodes, number) in enumerate(sides):
         made += "<mo>=</mo>" if place else ""
         for k, node in enumerate(nodes):
-            negative = isinstance(node, lay.Sum) and len(node.terms) == 1
+            negative = isinstance(node, lay.Terms) and len(node.terms) == 1
             inside = _ml(node.terms[0].body) if negative else _ml(node)
             form = "infix" if k else "prefix"
             if k or negative:
@@ -184,18 +184,18 @@ def _group(inside: str) -> str:
 
 def _ml(node: lay.Node) -> str:
     match node:
-        case lay.Number():
+        case lay.Digits():
             return "<mi>∞</mi>" if node.text == "∞" else f"<mn>{node.text}</mn>"
-        case lay.Letter():
+        case lay.Atom():
             return letter(node.glyph)
-        case lay.Sum():
+        case lay.Terms():
             made = ""
             for sign, body in node.signed():
                 # The first one of a line that goes on has the space of an infix, too.
                 form = f' form="{"infix" if " " in sign else "prefix"}"' * (not made)
                 made += f"<mo{form}>{sign.strip()}</mo>" * bool(sign) + _ml(body)
             return _group(made)
-        case lay.Product():
+        case lay.Factors():
             made = _ml(node.factors[0])
             for joint, factor in zip(node.joints, node.factors[1:], strict=True):
                 made += _JOINTS[joint] + _ml(factor)
@@ -203,13 +203,13 @@ def _ml(node: lay.Node) -> str:
         case lay.Fraction():
             made = f"<mfrac>{_ml(node.over)}{_ml(node.under)}</mfrac>"
             return f'<mstyle displaystyle="false">{made}</mstyle>' if node.small else made
-        case lay.Power():
+        case lay.Superscript():
             return with_superscript(_ml(node.base), _ml(node.exponent))
-        case lay.Root():
+        case lay.Radical():
             if node.index:
                 return f"<mroot>{_ml(node.body)}<mn>{node.index}</mn></mroot>"
             return f"<msqrt>{_ml(node.body)}</msqrt>"
-        case lay.Apply():
+        case lay.FunctionOf():
             name = f"<mi>{escape(node.name)}</mi>" if isinstance(node.name, str) else _ml(node.name)
             if node.power is not None:
                 name = f"<msup>{name}{_ml(node.power)}</msup>"
@@ -220,7 +220,7 @@ def _ml(node: lay.Node) -> str:
             return _group(name + APPLY + THIN + inside)
         case lay.Brackets():
             return fenced(_ml(node.body), node.shape, sizes.is_tall(node.body))
-        case lay.Braced():
+        case lay.BraceBelow():
             # A stretched ⏟ comes out too short in the cells of a table; a border never does, and
             # dots are no fraction bar.
             brace = "border-bottom:2px dotted;padding-bottom:0.15em"
@@ -232,7 +232,7 @@ def _ml(node: lay.Node) -> str:
             return _group(f"{left}<mo{space}>{node.sign}</mo>{_ml(node.right)}")
         case lay.TransposeOf():
             return f"<msup>{_ml(node.body)}<mi>T</mi></msup>"
-        case lay.Derivative():
+        case lay.DifferentialQuotient():
             d = "<mo>∂</mo>" if node.partial else "<mi>d</mi>"
             over = under_order = d
             by = _ml(node.by)
@@ -248,7 +248,7 @@ def _ml(node: lay.Node) -> str:
                 return f"<msub>{fenced(made, '()', True)}<mtext>{escape(node.frame)}</mtext></msub>"
             return made
         case lay.Big():
-            bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
+            bounds = node.index.bounds if isinstance(node.index, lay.IntegralMeasure) else ()
             index = "" if node.index is None else _ml(node.index)
             big = '<mo largeop="true" movablelimits="true">∑</mo>'
             sign = "<mo>∫</mo>" if node.sign == "∫" else big
@@ -264,7 +264,7 @@ def _ml(node: lay.Node) -> str:
                     sign = f"<msubsup>{sign}{''.join(map(_ml, bounds))}</msubsup>"
                 return _group(f"{sign}{index}{THIN}{_ml(node.body)}")
             return _group(f"<munder>{sign}{index}</munder>{_ml(node.body)}")
-        case lay.Measure():
+        case lay.IntegralMeasure():
             if node.bounds:
                 return _group(f"<mi>d</mi>{_ml(node.variable)}")
             return _group(f"<msup><mi>d</mi><mn>{node.dimension}</mn></msup>{_ml(node.variable)}")
@@ -275,7 +275,7 @@ def _ml(node: lay.Node) -> str:
                 for row in node.rows
             )
             return fenced(f"<mtable>{rows}</mtable>", "[]", True)
-        case lay.Listed():
+        case lay.Enumeration():
             if node.between == ",":
                 return _group("<mo>,</mo>".join(map(_ml, node.items)))
             word = f'<mspace width="1em"/><mtext>{node.between}</mtext><mspace width="1em"/>'

@@ -15,14 +15,14 @@ from rigidtop.theory.symbols import Glyph
 
 
 @dataclass(frozen=True)
-class Number:
+class Digits:
     """Digits without a sign."""
 
     text: str
 
 
 @dataclass(frozen=True)
-class Letter:
+class Atom:
     """A symbol."""
 
     glyph: Glyph
@@ -37,7 +37,7 @@ class Signed:
 
 
 @dataclass(frozen=True)
-class Sum:
+class Terms:
     """Signed terms; a single negative term is a negation."""
 
     terms: tuple[Signed, ...]
@@ -51,12 +51,12 @@ class Sum:
 
 
 @dataclass(frozen=True)
-class Continued(Sum):
+class Continued(Terms):
     """The rest of a sum on a new line: its first sign is always shown."""
 
 
 @dataclass(frozen=True)
-class Product:
+class Factors:
     """Factors side by side.  ``joints[i]`` stands between factor i and i + 1.
 
     A joint is "" (nothing), "thin" (a thin space), "function" (the space beside the name of a
@@ -77,7 +77,7 @@ class Fraction:
 
 
 @dataclass(frozen=True)
-class Power:
+class Superscript:
     """``base`` raised to ``exponent``; brackets round the base are already there."""
 
     base: Node
@@ -85,7 +85,7 @@ class Power:
 
 
 @dataclass(frozen=True)
-class Root:
+class Radical:
     """A square root, or with an `index` another root."""
 
     body: Node
@@ -93,13 +93,13 @@ class Root:
 
 
 @dataclass(frozen=True)
-class Apply:
+class FunctionOf:
     """A function with its arguments.  Without `brackets` the single argument stands bare.
 
-    `name` is a word that is set upright ("sin"), or a `Letter` ("ρ(r)").
+    `name` is a word that is set upright ("sin"), or a `Atom` ("ρ(r)").
     """
 
-    name: str | Letter
+    name: str | Atom
     arguments: tuple[Node, ...]
     brackets: bool
     power: Node | None = None
@@ -114,7 +114,7 @@ class Brackets:
 
 
 @dataclass(frozen=True)
-class Braced:
+class BraceBelow:
     """A body with a brace beneath it and ≡ label beneath that."""
 
     body: Node
@@ -138,7 +138,7 @@ class TransposeOf:
 
 
 @dataclass(frozen=True)
-class Derivative:
+class DifferentialQuotient:
     """A derivative: ∂ or d, of a body by a variable, as seen from a frame ("" for none).
 
     `inside` says whether the body stands over the fraction bar, or behind the fraction.
@@ -163,7 +163,7 @@ class Big:
 
 
 @dataclass(frozen=True)
-class Measure:
+class IntegralMeasure:
     """The measure d³r of an integral, or dx with bounds."""
 
     dimension: str
@@ -179,7 +179,7 @@ class Grid:
 
 
 @dataclass(frozen=True)
-class Listed:
+class Enumeration:
     """Nodes with a comma, "and" or "or" between them."""
 
     items: tuple[Node, ...]
@@ -195,23 +195,23 @@ class Chain:
 
 
 Node = (
-    Number
-    | Letter
-    | Sum
-    | Product
+    Digits
+    | Atom
+    | Terms
+    | Factors
     | Fraction
-    | Power
-    | Root
-    | Apply
+    | Superscript
+    | Radical
+    | FunctionOf
     | Brackets
-    | Braced
+    | BraceBelow
     | Infix
     | TransposeOf
-    | Derivative
+    | DifferentialQuotient
     | Big
-    | Measure
+    | IntegralMeasure
     | Grid
-    | Listed
+    | Enumeration
     | Chain
 )
 
@@ -278,10 +278,10 @@ def differential(glyph: Glyph) -> tuple[str, Glyph]:
 
 def negated(node: Node) -> Node:
     """−node, with the sign drawn out of a negation."""
-    if isinstance(node, Sum) and len(node.terms) == 1:
+    if isinstance(node, Terms) and len(node.terms) == 1:
         (term,) = node.terms
-        return term.body if term.negative else Sum((Signed(True, term.body),))
-    return Sum((Signed(True, bracketed(node) if isinstance(node, Sum) else node),))
+        return term.body if term.negative else Terms((Signed(True, term.body),))
+    return Terms((Signed(True, bracketed(node) if isinstance(node, Terms) else node),))
 
 
 def bracketed(node: Node) -> Node:
@@ -290,41 +290,41 @@ def bracketed(node: Node) -> Node:
 
 
 def as_factor(node: Node, last: bool) -> Node:
-    if isinstance(node, Sum):
+    if isinstance(node, Terms):
         return Brackets(node)
-    if isinstance(node, (Infix, Big, Chain, Listed)) and not last:
+    if isinstance(node, (Infix, Big, Chain, Enumeration)) and not last:
         return Brackets(node)
-    if isinstance(node, Derivative) and not node.inside and not last:
+    if isinstance(node, DifferentialQuotient) and not node.inside and not last:
         return Brackets(node)
-    if isinstance(node, Braced):
+    if isinstance(node, BraceBelow):
         return replace(node, body=as_factor(node.body, last))
     return node
 
 
 def _starts_with_digit(node: Node) -> bool:
-    if isinstance(node, Number):
+    if isinstance(node, Digits):
         return True
     if isinstance(node, Fraction):
         return node.small
-    if isinstance(node, Power):
+    if isinstance(node, Superscript):
         return _starts_with_digit(node.base)
-    return isinstance(node, Product) and _starts_with_digit(node.factors[0])
+    return isinstance(node, Factors) and _starts_with_digit(node.factors[0])
 
 
 def _is_word(node: Node) -> bool:
-    return isinstance(node, Letter) and len(node.glyph.base) > 1
+    return isinstance(node, Atom) and len(node.glyph.base) > 1
 
 
 def _joint(left: Node, right: Node) -> str:
     if _starts_with_digit(right):
         return "dot"
-    if isinstance(right, Apply) and isinstance(right.name, str):
+    if isinstance(right, FunctionOf) and isinstance(right.name, str):
         return "function"
-    if isinstance(left, Apply) and not left.brackets:
+    if isinstance(left, FunctionOf) and not left.brackets:
         return "thin"
     if isinstance(right, Big):
         return "function"
-    if isinstance(right, Derivative) or isinstance(left, Derivative):
+    if isinstance(right, DifferentialQuotient) or isinstance(left, DifferentialQuotient):
         return "thin"
     if isinstance(right, Fraction) and isinstance(left, Fraction):
         return "thin"
@@ -335,62 +335,62 @@ def product(factors: Iterable[Node]) -> Node:
     """Factors side by side, each in brackets where it needs them."""
     flat: list[Node] = []
     for factor in factors:
-        flat.extend(factor.factors if isinstance(factor, Product) else (factor,))
+        flat.extend(factor.factors if isinstance(factor, Factors) else (factor,))
     if not flat:
-        return Number("1")
+        return Digits("1")
     if len(flat) == 1:
         return flat[0]
     alone = not any(isinstance(factor, Infix) for factor in flat[:-1])
     parts = [as_factor(x, last=alone and i == len(flat) - 1) for i, x in enumerate(flat)]
-    return Product(tuple(parts), tuple(_joint(a, b) for a, b in pairwise(parts)))
+    return Factors(tuple(parts), tuple(_joint(a, b) for a, b in pairwise(parts)))
 
 
 def total(terms: Iterable[Node]) -> Node:
     """A sum; negations become its minus signs."""
     flat: list[Signed] = []
     for term in terms:
-        flat.extend(term.terms if isinstance(term, Sum) else (Signed(False, term),))
+        flat.extend(term.terms if isinstance(term, Terms) else (Signed(False, term),))
     if len(flat) == 1 and not flat[0].negative:
         return flat[0].body
-    return Sum(tuple(flat))
+    return Terms(tuple(flat))
 
 
 def as_operand(node: Node) -> Node:
     """An operand of × or ·."""
-    return Brackets(node) if isinstance(node, (Sum, Infix, Big)) else node
+    return Brackets(node) if isinstance(node, (Terms, Infix, Big)) else node
 
 
 def raised(base: Node, exponent: Node) -> Node:
-    if isinstance(base, Apply) and base.power is None and isinstance(base.name, str):
+    if isinstance(base, FunctionOf) and base.power is None and isinstance(base.name, str):
         return replace(base, power=exponent)
-    simple = (Letter, Number, Brackets, Grid)
-    return Power(base if isinstance(base, simple) else Brackets(base), flat(exponent))
+    simple = (Atom, Digits, Brackets, Grid)
+    return Superscript(base if isinstance(base, simple) else Brackets(base), flat(exponent))
 
 
 def flat(node: Node) -> Node:
     """Fractions with a slash, as they stand in an exponent or a sentence."""
     match node:
-        case Sum():
+        case Terms():
             return replace(node, terms=tuple(replace(x, body=flat(x.body)) for x in node.terms))
         case Chain():
             return replace(node, sides=tuple(map(flat, node.sides)))
         case Brackets():
             return replace(node, body=flat(node.body))
-        case Product():
+        case Factors():
             inner = (flat(x) if isinstance(x, Brackets) else x for x in node.factors)
             return replace(node, factors=tuple(inner))
-        case Apply():
+        case FunctionOf():
             return replace(node, arguments=tuple(map(flat, node.arguments)))
         case Fraction(small=False):
-            single = isinstance(node.under, Letter | Number | Power | Root | Apply)
+            single = isinstance(node.under, Atom | Digits | Superscript | Radical | FunctionOf)
             under = node.under if single else bracketed(node.under)
             return Infix("/", as_factor(node.over, False), under)
     return node
 
 
 def ratio(over: Node, under: Node) -> Node:
-    small = isinstance(over, Number) and isinstance(under, Number)
-    if isinstance(over, Sum) and len(over.terms) == 1:  # the minus stands before the fraction
+    small = isinstance(over, Digits) and isinstance(under, Digits)
+    if isinstance(over, Terms) and len(over.terms) == 1:  # the minus stands before the fraction
         return negated(ratio(over.terms[0].body, under))
     if isinstance(under, Brackets) and under.shape == "()":  # the bar holds it together
         under = under.body
@@ -403,19 +403,19 @@ def ratio(over: Node, under: Node) -> Node:
 def lettered(shown: Glyph) -> Node:
     """A glyph as a node: ω²ₙ has its exponent above its index, det O is a function of O.
 
-    >>> lettered(Glyph("ω²", "n")) == Power(Letter(Glyph("ω", "n")), Number("2"))
+    >>> lettered(Glyph("ω²", "n")) == Superscript(Atom(Glyph("ω", "n")), Digits("2"))
     True
     """
     if shown.base.isdigit() and shown.base.isascii():
-        return Number(shown.base)
+        return Digits(shown.base)
     name, _, argument = shown.base.partition(" ")
     if argument:
-        return Apply(name, (Letter(replace(shown, base=argument)),), brackets=False)
+        return FunctionOf(name, (Atom(replace(shown, base=argument)),), brackets=False)
     stem = shown.base.rstrip("⁰¹²³⁴⁵⁶⁷⁸⁹")
     if stem == shown.base:
-        return Letter(shown)
+        return Atom(shown)
     exponent = unicodedata.normalize("NFKC", shown.base.removeprefix(stem))
-    return Power(Letter(replace(shown, base=stem)), Number(exponent))
+    return Superscript(Atom(replace(shown, base=stem)), Digits(exponent))
 
 
 def decimal(number: float, digits_shown: int = 6, *, kept: bool = False) -> Node:
@@ -424,13 +424,13 @@ def decimal(number: float, digits_shown: int = 6, *, kept: bool = False) -> Node
     Zeros at its end are left out, if they are not to be `kept`.
 
     >>> decimal(0.25), decimal(0.25, 3, kept=True)
-    (Number(text='0.25'), Number(text='0.250'))
+    (Digits(text='0.25'), Digits(text='0.250'))
     """
     digits, _, exponent = f"{number:{'#' * kept}.{digits_shown}g}".partition("e")
     digits = digits.rstrip(".")
     if not exponent:
-        return Number(digits)
+        return Digits(digits)
     size = abs(int(exponent))
-    power = Number(str(size))
-    ten = Power(Number("10"), power if int(exponent) > 0 else negated(power))
-    return ten if digits == "1" else Infix("×", Number(digits), ten)
+    power = Digits(str(size))
+    ten = Superscript(Digits("10"), power if int(exponent) > 0 else negated(power))
+    return ten if digits == "1" else Infix("×", Digits(digits), ten)

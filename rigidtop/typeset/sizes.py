@@ -16,11 +16,11 @@ def is_tall(node: lay.Node) -> bool:
     match node:
         case lay.Fraction():
             return not node.small
-        case lay.Braced() | lay.Big() | lay.Derivative() | lay.Grid():
+        case lay.BraceBelow() | lay.Big() | lay.DifferentialQuotient() | lay.Grid():
             return True
-        case lay.Power():
+        case lay.Superscript():
             return is_tall(node.base)
-        case lay.Apply() | lay.Measure():
+        case lay.FunctionOf() | lay.IntegralMeasure():
             return False
     return any(map(is_tall, lay.parts(node)))
 
@@ -28,41 +28,41 @@ def is_tall(node: lay.Node) -> bool:
 def width(node: lay.Node) -> float:
     """About how wide a node is printed, in digits: 5 pt in letters of 10 pt."""
     match node:
-        case lay.Number():
+        case lay.Digits():
             return sum(map(_letter, node.text))
-        case lay.Letter():
+        case lay.Atom():
             return sum(map(_letter, node.glyph.base)) + _script(node.glyph.sub)
-        case lay.Sum():
+        case lay.Terms():
             first = 1.6 * (node.terms[0].negative or isinstance(node, lay.Continued))
             return (
                 first + sum(width(term.body) for term in node.terms) + 2.45 * (len(node.terms) - 1)
             )
-        case lay.Product():
+        case lay.Factors():
             return sum(map(width, node.factors)) + sum(map(_SIGNS.__getitem__, node.joints))
         case lay.Fraction():
             return max(width(node.over), width(node.under)) * (0.75 if node.small else 1) + 0.5
-        case lay.Power(base=lay.Letter(glyph=glyph)):  # the exponent stands above the index
+        case lay.Superscript(base=lay.Atom(glyph=glyph)):  # the exponent stands above the index
             above = SCRIPT * width(node.exponent)
             return sum(map(_letter, glyph.base)) + max(above, _script(glyph.sub))
-        case lay.Power():
+        case lay.Superscript():
             return width(node.base) + SCRIPT * width(node.exponent)
-        case lay.Root():
+        case lay.Radical():
             return width(node.body) + 1.8
-        case lay.Apply():
+        case lay.FunctionOf():
             name = 0.9 * len(node.name) if isinstance(node.name, str) else width(node.name)
             power = SCRIPT * width(node.power) if node.power else 0
             inside = sum(map(width, node.arguments))
             return name + power + inside + (_BRACKETS if node.brackets else 0.33)
         case lay.Brackets():
             return width(node.body) + _BRACKETS * (1.5 if is_tall(node.body) else 1)
-        case lay.Braced():
+        case lay.BraceBelow():
             return max(width(node.body), 1 + SCRIPT * width(node.label))
         case lay.Infix():
             left = width(node.left) if node.left else 0
             return left + width(node.right) + _SIGNS.get(node.sign, 2.45)
         case lay.TransposeOf():
             return width(node.body) + 1
-        case lay.Derivative():
+        case lay.DifferentialQuotient():
             over = 1.2 + width(node.body) * node.inside
             apart = width(node.body) * (not node.inside)
             frame = 3 + SCRIPT * len(node.frame) if node.frame else 0
@@ -70,12 +70,12 @@ def width(node: lay.Node) -> float:
         case lay.Big():
             measure = width(node.index) if node.sign == "∫" and node.index is not None else 0
             return 3.2 + measure + width(node.body)
-        case lay.Measure():
+        case lay.IntegralMeasure():
             return 1.6 + width(node.variable) + SCRIPT * max(map(width, node.bounds), default=0.0)
         case lay.Grid():
             columns = zip(*node.rows, strict=True)
             return sum(max(map(width, column)) + 2 for column in columns)
-        case lay.Listed():
+        case lay.Enumeration():
             between = 0.9 if node.between == "," else 4 + len(node.between)
             return sum(map(width, node.items)) + between * (len(node.items) - 1)
         case lay.Chain():
@@ -99,7 +99,7 @@ def _script(sub: str) -> float:
 
 
 @dataclass(frozen=True)
-class Line:
+class DisplayLine:
     """One line of a display: what stands left of the alignment, the sign, what stands right.
 
     The first line of an equation has a `left` side; a line that continues a sum has no `sign`.
@@ -117,7 +117,9 @@ HUNG = 4.0
 """Letters by which a right side begins to the right that has a line of its own."""
 
 
-def lines(equation: Equation | lay.Chain, order: Order = "auto", limit: float = LINE) -> list[Line]:
+def lines(
+    equation: Equation | lay.Chain, order: Order = "auto", limit: float = LINE
+) -> list[DisplayLine]:
     """An equation broken before its relation signs, and long sums before a + or −."""
     chain = layout(equation, order) if isinstance(equation, Equation) else equation
     assert isinstance(chain, lay.Chain)
@@ -131,17 +133,17 @@ def lines(equation: Equation | lay.Chain, order: Order = "auto", limit: float = 
             signs.append(sign)
         else:
             packed.append(([side], [sign]))
-    made: list[Line] = []
+    made: list[DisplayLine] = []
     for sides, signs in packed:
         pieces = [sides[0]]
         if len(sides) == 1:
-            terms = [t.body for t in sides[0].terms] if isinstance(sides[0], lay.Sum) else pieces
+            terms = [t.body for t in sides[0].terms] if isinstance(sides[0], lay.Terms) else pieces
             fit = all(width(term) <= limit - HUNG for term in terms)
             pieces = _broken(sides[0], limit - (margin if fit else HUNG), limit - HUNG)
         joined = pieces if len(sides) == 1 else [lay.Chain(tuple(sides), tuple(signs[1:]))]
         for i, piece in enumerate(joined):
             left = first if not made else None
-            made.append(Line(left, signs[0] if i == 0 else "", piece))
+            made.append(DisplayLine(left, signs[0] if i == 0 else "", piece))
     return made
 
 
@@ -151,10 +153,10 @@ def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
     match node:
         case _ if width(node) <= limit:
             return [node]
-        case lay.Sum():
+        case lay.Terms():
             rows: list[list[lay.Signed]] = [[]]
             for term in node.terms:
-                if rows[-1] and width(lay.Sum((*rows[-1], term))) > limit:
+                if rows[-1] and width(lay.Terms((*rows[-1], term))) > limit:
                     rows.append([])
                 rows[-1].append(term)
             made: list[lay.Node] = []
@@ -163,13 +165,13 @@ def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
                     _broken(row[0].body, limit, whole) if len(row) == 1 else [row[0].body]
                 )
                 terms = (lay.Signed(row[0].negative, first), *row[1:])
-                made += [lay.Continued(terms) if made else lay.Sum(terms), *rest]
+                made += [lay.Continued(terms) if made else lay.Terms(terms), *rest]
             return made
-        case lay.Product(factors=(*before, lay.Brackets() as last)) if width(node) > whole:
-            head = lay.Product(tuple(before), node.joints[:-1]) if before[1:] else before[0]
+        case lay.Factors(factors=(*before, lay.Brackets() as last)) if width(node) > whole:
+            head = lay.Factors(tuple(before), node.joints[:-1]) if before[1:] else before[0]
             if _is_vector(last):  # a · before it would be the product of two
                 first, *rest = _opened(last, limit - width(head), whole)
-                return [lay.Product((*before, first), node.joints), *rest]
+                return [lay.Factors((*before, first), node.joints), *rest]
             first, *rest = _broken(last, limit, whole)
             return [*_broken(head, limit, whole), lay.Infix("·", None, first), *rest]
         case lay.Brackets(shape="()") if width(node) > whole:
@@ -179,7 +181,7 @@ def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
 
 def _opened(node: lay.Brackets, limit: float, whole: float) -> list[lay.Node]:
     """A sum in round brackets, in lines."""
-    if node.shape != "()" or not isinstance(node.body, lay.Sum):
+    if node.shape != "()" or not isinstance(node.body, lay.Terms):
         return [node]
     first, *rest = _broken(node.body, limit - 1.5, whole)
     if not rest:
@@ -189,10 +191,10 @@ def _opened(node: lay.Brackets, limit: float, whole: float) -> list[lay.Node]:
 
 def _is_vector(node: lay.Node) -> bool:
     match node:
-        case lay.Letter():
+        case lay.Atom():
             return node.glyph.bold
         case lay.Infix():
             return node.sign == "×"
-        case lay.Brackets() | lay.Sum() | lay.Product():
+        case lay.Brackets() | lay.Terms() | lay.Factors():
             return any(map(_is_vector, lay.parts(node)))
     return False

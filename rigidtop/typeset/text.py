@@ -56,13 +56,13 @@ def letter(glyph: Glyph) -> str:
 
 def _text(node: lay.Node) -> str:
     match node:
-        case lay.Number():
+        case lay.Digits():
             return node.text
-        case lay.Letter():
+        case lay.Atom():
             return letter(node.glyph)
-        case lay.Sum():
+        case lay.Terms():
             return "".join(sign + _text(body) for sign, body in node.signed()).lstrip()
-        case lay.Product():
+        case lay.Factors():
             made = _factor(node.factors[0])
             for joint, factor in zip(node.joints, node.factors[1:], strict=True):
                 right = _factor(factor)
@@ -79,18 +79,18 @@ def _text(node: lay.Node) -> str:
             over, under = _text(node.over), _text(node.under)
             if node.small and f"{over}/{under}" in _VULGAR:
                 return _VULGAR[f"{over}/{under}"]
-            if isinstance(node.over, (lay.Sum, lay.Infix, lay.Big, lay.Fraction)):
+            if isinstance(node.over, (lay.Terms, lay.Infix, lay.Big, lay.Fraction)):
                 over = f"({over})"
             if not _is_simple(node.under):
                 under = f"({under})"
             return f"{over}/{under}"
-        case lay.Power():
+        case lay.Superscript():
             return _text(node.base) + _superscript(node.exponent)
-        case lay.Root():
+        case lay.Radical():
             body = _text(node.body)
             sign = {"": "√", "3": "∛", "4": "∜"}.get(node.index, f"({node.index})√")
-            return sign + (body if isinstance(node.body, (lay.Number, lay.Letter)) else f"({body})")
-        case lay.Apply():
+            return sign + (body if isinstance(node.body, (lay.Digits, lay.Atom)) else f"({body})")
+        case lay.FunctionOf():
             name = node.name if isinstance(node.name, str) else _text(node.name)
             if node.power is not None:
                 name += _superscript(node.power)
@@ -98,16 +98,16 @@ def _text(node: lay.Node) -> str:
             return f"{name}({inside})" if node.brackets else f"{name} {inside}"
         case lay.Brackets():
             return f"{node.shape[0]}{_text(node.body)}{node.shape[1]}"
-        case lay.Braced():
+        case lay.BraceBelow():
             body = _text(node.body)
-            alone = isinstance(node.body, (lay.Letter, lay.Number, lay.Brackets))
+            alone = isinstance(node.body, (lay.Atom, lay.Digits, lay.Brackets))
             return body if alone else f"({body})"
         case lay.Infix():
             sign = node.sign if node.sign == "/" else f" {node.sign} "
             return f"{_text(node.left) if node.left else ''}{sign}{_text(node.right)}"
         case lay.TransposeOf():
             return _text(node.body) + "ᵀ"
-        case lay.Derivative():
+        case lay.DifferentialQuotient():
             d = "∂" if node.partial else "d"
             order = str(node.order).translate(_SUPERSCRIPTS) if node.order > 1 else ""
             body, by = _text(node.body), _text(node.by)
@@ -124,15 +124,15 @@ def _text(node: lay.Node) -> str:
                 ends = ", ".join(map(_text, node.limits))
                 return f"{sign}[{index + ' = ' if index else ''}{ends}] {_text(node.body)}"
             if node.sign == "∫":
-                bounds = node.index.bounds if isinstance(node.index, lay.Measure) else ()
+                bounds = node.index.bounds if isinstance(node.index, lay.IntegralMeasure) else ()
                 between = f" from {' to '.join(map(_text, bounds))}" if bounds else ""
                 return " ".join(filter(None, (sign + between, index, _text(node.body))))
             return f"{sign}_{index} {_text(node.body)}" if index else f"{sign} {_text(node.body)}"
-        case lay.Measure():
+        case lay.IntegralMeasure():
             return "d" + node.dimension.translate(_SUPERSCRIPTS) + _text(node.variable)
         case lay.Grid():
             return "[" + "; ".join(", ".join(map(_text, row)) for row in node.rows) + "]"
-        case lay.Listed():
+        case lay.Enumeration():
             between = ", " if node.between == "," else f" {node.between} "
             return between.join(map(_text, node.items))
         case lay.Chain():
@@ -149,7 +149,7 @@ def _factor(node: Basic) -> str:
 
 
 def _is_simple(node: Basic) -> bool:
-    alone = (lay.Number, lay.Letter, lay.Power, lay.Brackets, lay.Root, lay.Apply)
+    alone = (lay.Digits, lay.Atom, lay.Superscript, lay.Brackets, lay.Radical, lay.FunctionOf)
     return isinstance(node, alone)
 
 
@@ -164,9 +164,9 @@ def _bare(node: Basic) -> Any:
     return node.body if isinstance(node, lay.Brackets) else node
 
 
-def _braced(node: Basic) -> Iterator[lay.Braced]:
+def _braced(node: Basic) -> Iterator[lay.BraceBelow]:
     """The parts of a tree that have a brace beneath them."""
-    if isinstance(node, lay.Braced):
+    if isinstance(node, lay.BraceBelow):
         yield node
     for part in lay.parts(node):
         yield from _braced(part)

@@ -30,7 +30,7 @@ from sympy import (
 
 from rigidtop.codegen import shipped
 from rigidtop.codegen.languages import LANGUAGES, Source, function_name, source
-from rigidtop.codegen.values import Line, NothingToEvaluateError, Value, Values, values
+from rigidtop.codegen.values import ClaimLine, ClaimOutputs, NothingToEvaluateError, Output, values
 from rigidtop.commands.derive import SOURCES
 from rigidtop.derivations import PAGES
 from rigidtop.proof.equation import Equation
@@ -50,7 +50,7 @@ ULPS = 8
 
 
 @cache
-def everything() -> dict[str, Values]:
+def everything() -> dict[str, ClaimOutputs]:
     """Every claim that has something to evaluate, by name."""
     found = {}
     for page in PAGES:
@@ -64,10 +64,10 @@ def everything() -> dict[str, Values]:
 
 def by_hand(expressions, name="by-hand"):
     """Expressions that no claim has."""
-    made = [Value(f"y{i}", e, Equation(s.E, e)) for i, e in enumerate(expressions, 1)]
+    made = [Output(f"y{i}", e, Equation(s.E, e)) for i, e in enumerate(expressions, 1)]
     free = sorted(set().union(*(e.free_symbols for e in expressions)), key=str)
-    lines = tuple(Line(v.equation) for v in made)
-    return Values(name, "Made for a test.", tuple(made), tuple(free), lines)
+    lines = tuple(ClaimLine(v.equation) for v in made)
+    return ClaimOutputs(name, "Made for a test.", tuple(made), tuple(free), lines)
 
 
 a, b, M, m, out, lambda_, x0 = symbols("a b M m out lambda X0")
@@ -86,7 +86,7 @@ AWKWARD = by_hand(
 
 
 @cache
-def programs() -> tuple[Values, ...]:
+def programs() -> tuple[ClaimOutputs, ...]:
     return (*everything().values(), AWKWARD)
 
 

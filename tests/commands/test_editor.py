@@ -17,7 +17,7 @@ import rigidtop.judge.text
 from rigidtop.cli import main
 from rigidtop.collection import built_in
 from rigidtop.commands.draft import Draft, Lines, OldTextError, well_formed
-from rigidtop.commands.editor import Document, Editor
+from rigidtop.commands.editor import Editor, OpenDocument
 
 BOB = r"""A bob 𝜔 has the Lagrangian
 
@@ -306,7 +306,7 @@ def test_what_is_near_to_a_change_is_told_before_the_rest(tmp_path, monkeypatch)
     monkeypatch.setattr(rigidtop.commands.editor, "SOON", 0.0)
     editor, told = Editor(built_in()), []
     monkeypatch.setattr(editor, "_publish", lambda _, found, version: told.append((found, version)))
-    document = Document("file:///bob.md", Draft(tmp_path / "bob.md"), "", None)
+    document = OpenDocument("file:///bob.md", Draft(tmp_path / "bob.md"), "", None)
     editor.documents[document.uri] = document
     for version, text in enumerate((LONG, LONG.replace("= g\\sin", "= -g\\sin", 1))):
         document.text = text

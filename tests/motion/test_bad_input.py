@@ -194,10 +194,10 @@ def test_a_quaternion_that_is_no_attitude(monkeypatch, norm):
 
 
 def test_rates_that_overflow():
-    from rigidtop.motion.integrate import Accuracy, Problem, flow
+    from rigidtop.motion.integrate import Accuracy, InitialValueProblem, flow
 
     with pytest.raises(rt.RigidtopError, match="the velocities are too large"):
-        flow(Problem(lambda _: (math.inf,), np.ones(1), np.ones_like), 1.0, Accuracy())
+        flow(InitialValueProblem(lambda _: (math.inf,), np.ones(1), np.ones_like), 1.0, Accuracy())
 
 
 @pytest.mark.parametrize(

@@ -568,7 +568,7 @@ def test_many_samples_of_a_top_are_those_of_few(name, count, end):
     run = motion.exact(times)
     if count == 100_000:
         orbit = motion.orbit
-        even = samples.samples(times, orbit.course, orbit.states, orbit.sizes)
+        even = samples.samples(times, orbit.smoothness, orbit.states, orbit.sizes)
         assert len(even.others) < count / 4
     some = np.append(np.arange(0, count, count // 29), count - 1)
     few = motion.exact(times[some])
@@ -584,7 +584,7 @@ def test_pieces_that_are_too_long_are_not_taken():
     motion = TOP.motion(theta=1.0, phi_dot=0.25, omega3=39.3)
     times, orbit = np.linspace(0.0, 5.0, 4000), motion.orbit
     for slower, taken in ((1, True), (30, False)):
-        rate, turning = orbit.course.rate / slower, orbit.course.turning / slower
-        course = replace(orbit.course, rate=rate, turning=turning)
-        found = samples.samples(times, course, orbit.states, orbit.sizes)
+        rate, turning = orbit.smoothness.rate / slower, orbit.smoothness.turning / slower
+        smoothness = replace(orbit.smoothness, rate=rate, turning=turning)
+        found = samples.samples(times, smoothness, orbit.states, orbit.sizes)
         assert (found is not None) == taken

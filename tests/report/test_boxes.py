@@ -4,17 +4,17 @@ import pytest
 
 from rigidtop.report import html, markdown, myst, plain, tex, typst
 from rigidtop.report.blocks import (
-    Box,
-    BoxEnd,
+    Aside,
+    AsideEnd,
     Document,
-    Heading,
     Paragraph,
+    SectionHead,
 )
 from rigidtop.report.selection import for_students, main_thread, projected
 
-INNER = (Box("A quarrel", for_lecturers=True), Paragraph(("Inside.",)), BoxEnd())
-BOX = (Box("How $θ$ goes on"), Paragraph(("More.",)), *INNER, Paragraph(("Still.",)), BoxEnd())
-BLOCKS = (Heading(1, "1", "One", "section-1"), Paragraph(("Before.",)), *BOX)
+INNER = (Aside("A quarrel", for_lecturers=True), Paragraph(("Inside.",)), AsideEnd())
+BOX = (Aside("How $θ$ goes on"), Paragraph(("More.",)), *INNER, Paragraph(("Still.",)), AsideEnd())
+BLOCKS = (SectionHead(1, "1", "One", "section-1"), Paragraph(("Before.",)), *BOX)
 WHOLE = Document("T", "S", (*BLOCKS, Paragraph(("After.",))), "C", lecture=True)
 
 
@@ -28,12 +28,12 @@ def test_the_main_thread_has_no_boxes():
 
 def test_a_student_has_no_box_that_is_for_lecturers():
     assert _words(for_students(WHOLE.blocks)) == ["Before.", "More.", "Still.", "After."]
-    assert Box("How $θ$ goes on") in for_students(WHOLE.blocks)
+    assert Aside("How $θ$ goes on") in for_students(WHOLE.blocks)
 
 
 def test_slides_have_the_main_thread_and_no_solutions_unless_asked():
-    solved = Heading(1, "", "Solutions", "solutions"), Paragraph(("Solved.",))
-    laws = Heading(1, "", "Laws", "laws"), Paragraph(("A law.",))
+    solved = SectionHead(1, "", "Solutions", "solutions"), Paragraph(("Solved.",))
+    laws = SectionHead(1, "", "Laws", "laws"), Paragraph(("A law.",))
     blocks = (*WHOLE.blocks, *solved, *laws)
     assert _words(projected(blocks)) == ["Before.", "After."]
     assert _words(projected(blocks, solutions=True)) == ["Before.", "After.", "Solved."]

@@ -28,16 +28,16 @@ from rigidtop.report.blocks import (
     Display,
     ExerciseHead,
     Figure,
-    Heading,
     Legend,
     Look,
     NameLine,
     Paragraph,
     Results,
     Room,
+    SectionHead,
     Subhead,
-    Table,
-    Unit,
+    TableBlock,
+    UprightUnit,
     is_number,
 )
 from rigidtop.report.claims import claim_blocks
@@ -60,7 +60,7 @@ from ..web.conftest import chrome
 
 
 def _is(block, *kinds):
-    return isinstance(block, Table) and block.kind in kinds
+    return isinstance(block, TableBlock) and block.kind in kinds
 
 
 @pytest.fixture(scope="module")
@@ -274,7 +274,7 @@ def test_no_table_stands_above_the_head_of_its_solution(words, document):
 
 
 def test_no_heading_ends_a_page(words, document):
-    kinds = (Heading, ExerciseHead, Subhead)
+    kinds = (SectionHead, ExerciseHead, Subhead)
     titles = {
         b.words if isinstance(b, Subhead) else b.title
         for b in document.blocks
@@ -500,7 +500,7 @@ def _formulas(tree):
             yield from _formulas(each)
     elif isinstance(tree, Node):
         yield latex(tree)
-    elif is_dataclass(tree) and not isinstance(tree, (Unit, Cited, Display, Results)):
+    elif is_dataclass(tree) and not isinstance(tree, (UprightUnit, Cited, Display, Results)):
         for field in fields(tree):
             yield from _formulas(getattr(tree, field.name))
 

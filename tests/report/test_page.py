@@ -26,12 +26,12 @@ X, Y = symbols("x y")
 
 
 def _line(number):
-    row = b.Row(
+    row = b.DisplayRow(
         Equation(X, Y),
         "auto",
         number,
         reason=("Take",),
-        mark=b.Mark(number, Verdict.ASSUMING, ("if x is small",)),
+        mark=b.MarginMark(number, Verdict.ASSUMING, ("if x is small",)),
         anchor=b.anchor(number),
     )
     return b.Display((row,), step=True)
@@ -44,13 +44,13 @@ def _filling(count):
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
     blocks = [
-        b.Heading(1, "1", "First", "section-1"),
+        b.SectionHead(1, "1", "First", "section-1"),
         _line("1.1"),
-        b.Heading(2, "1.1", "Inner", "section-1-1"),
+        b.SectionHead(2, "1.1", "Inner", "section-1-1"),
         *_filling(40),
         b.Paragraph(("By ", b.Cited("(1.1)", b.anchor("1.1")), " and so on.")),
         *_filling(10),
-        b.Heading(1, "2", "Second", "section-2"),
+        b.SectionHead(1, "2", "Second", "section-2"),
         *_filling(40),
     ]
     path = tmp_path_factory.mktemp("page") / "lecture.html"

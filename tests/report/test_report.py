@@ -35,19 +35,19 @@ from rigidtop.report import html, pdf, plain, tex, tex_lines, typst
 from rigidtop.report.blocks import (
     ClaimHead,
     Display,
+    DisplayRow,
     Document,
     Figure,
-    Heading,
     Look,
     Paragraph,
-    Row,
-    Table,
+    SectionHead,
+    TableBlock,
     anchor,
     groups,
     is_number,
 )
 from rigidtop.report.claims import claim_blocks, said_at, short_number
-from rigidtop.report.lecture import Edition, Picture, Wanted, fragment, write_lecture
+from rigidtop.report.lecture import Edition, PlacedFigure, Wanted, fragment, write_lecture
 from rigidtop.report.record import document
 from rigidtop.terminal import files
 from rigidtop.theory.symbols import (
@@ -193,7 +193,7 @@ def test_equal_sides_are_said_once():
 
 
 def _texts(blocks):
-    return [block for block in blocks if isinstance(block, Table) and block.kind == "text"]
+    return [block for block in blocks if isinstance(block, TableBlock) and block.kind == "text"]
 
 
 def test_the_front_counts_and_lists(lecture):
@@ -362,7 +362,7 @@ def test_typst_document(lecture):
     assert "inline(1/2)" in source
 
 
-STEP = Row(Equation(lambda1, lambda3), "printed", reason="Put the moments equal:")
+STEP = DisplayRow(Equation(lambda1, lambda3), "printed", reason="Put the moments equal:")
 
 
 def test_a_step_in_typst_goes_on_the_words_above_it_or_has_one_line():
@@ -378,7 +378,7 @@ def test_a_step_in_typst_goes_on_the_words_above_it_or_has_one_line():
 @pytest.mark.skipif(not shutil.which("pdftotext"), reason="needs pdftotext")
 @pytest.mark.parametrize("count", [0, 8, 20, 44, 46])
 def test_a_figure_in_typst_stands_above_nothing_of_what_comes_before_it(count):
-    before = (*FILL[:count], Heading(1, "1", "Its section", "section-1"), FILL[count])
+    before = (*FILL[:count], SectionHead(1, "1", "Its section", "section-1"), FILL[count])
     source = typst.write(Document("T", "S", (*before, FIGURE, *FILL[80:]), "C"), {"small": "a.svg"})
     made = pdf.by_typst(source, {"a.svg": SVG.encode()})
     command = ["pdftotext", "-layout", "-", "-"]
@@ -394,7 +394,7 @@ def test_a_figure_in_typst_stands_above_nothing_of_what_comes_before_it(count):
 @pytest.mark.skipif(not shutil.which("pdftotext"), reason="needs pdftotext")
 def test_an_equation_that_no_break_makes_narrow_enough_is_smaller_in_typst():
     many = symbols("w10:70")
-    wide = Row(Equation(lambda1, sqrt(Add(*many))), "printed", "9.9")
+    wide = DisplayRow(Equation(lambda1, sqrt(Add(*many))), "printed", "9.9")
     made = pdf.by_typst(typst.write(Document("T", "S", (Display((wide,)),), "C"), {}), {})
     command = ["pdftotext", "-bbox", "-", "-"]
     told = subprocess.run(command, input=made, capture_output=True, check=True).stdout.decode()
@@ -461,11 +461,11 @@ def test_a_long_remark_may_stand_beneath_its_heading_in_html():
 
 
 OPENING = (
-    Heading(1, "1", "An opening", "section-1"),
+    SectionHead(1, "1", "An opening", "section-1"),
     Paragraph(("What it is about.",), held=True),
     ClaimHead("a-claim", "claim-a", "It says so.", Verdict.PROVED),
     Paragraph(("The reason.",), "Reason"),
-    Display((Row(Equation(lambda1, lambda3), "printed"),), "Derivation"),
+    Display((DisplayRow(Equation(lambda1, lambda3), "printed"),), "Derivation"),
 )
 
 
@@ -501,7 +501,7 @@ def test_a_section_opens_with_its_first_claim_in_typst():
 
 
 FILL = tuple(Paragraph((f"Line {i}.",)) for i in range(90))
-TABLE = Table(("first", "second"), ((lay.Number("1.5"),) * 2,) * 6, "The title of the table")
+TABLE = TableBlock(("first", "second"), ((lay.Digits("1.5"),) * 2,) * 6, "The title of the table")
 
 
 def _places(made: bytes) -> dict[str, int]:
@@ -540,20 +540,20 @@ def test_wide_tables_and_figures_stand_behind_narrow_tables_of_their_solution():
     """They go over both columns, and would hold up what stands in one."""
 
     def numbered(title, columns):
-        return Table(tuple(f"$c_{k}$" for k in range(columns)), (("1",) * columns,), title)
+        return TableBlock(tuple(f"$c_{k}$" for k in range(columns)), (("1",) * columns,), title)
 
     def words(text):
         return Paragraph((text,))
 
-    first, second = (Heading(2, "", title, title) for title in ("First", "Second"))
-    values = Table(("what", "", ""), (("a", "1", ""),), "listed", "values")
+    first, second = (SectionHead(2, "", title, title) for title in ("First", "Second"))
+    values = TableBlock(("what", "", ""), (("a", "1", ""),), "listed", "values")
     blocks = [
         *(
             words("above"),
             numbered("kept", 7),
             numbered("here", 6),
         ),  # in one column all stand still
-        Heading(1, "", "Solutions", "solutions"),
+        SectionHead(1, "", "Solutions", "solutions"),
         *(first, words("begins"), words("goes on"), values),
         *(numbered("wide", 7), FIGURE, numbered("narrow", 6), words("ends")),
         *(second, words("then"), numbered("wider", 9), words("last"), numbered("small", 2)),
@@ -651,7 +651,9 @@ def test_without_a_date_a_pdf_is_of_today(monkeypatch):
 
 
 def test_contents_stand_where_there_are_sections():
-    sheet = Document("T", "S", (Heading(1, "", "List of symbols", "letters"),), "C", lecture=True)
+    sheet = Document(
+        "T", "S", (SectionHead(1, "", "List of symbols", "letters"),), "C", lecture=True
+    )
     whole = replace(sheet, blocks=(*OPENING, *sheet.blocks))
     for by, mark in (
         (tex, "contentsname}\\rttoc}"),
@@ -724,7 +726,7 @@ def test_the_printers_load_neither_matplotlib_nor_scipy():
 
 
 def test_every_figure_of_the_lecture_has_words():
-    for figure in (Picture(each.name, each, {}).described(1) for each in FIGURES):
+    for figure in (PlacedFigure(each.name, each, {}).described(1) for each in FIGURES):
         assert len(figure.alternative) > 80
         assert figure.alternative.isascii()  # it is spoken
         assert tex_lines.rich((figure.caption,))

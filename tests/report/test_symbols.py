@@ -16,7 +16,7 @@ from rigidtop.report.solutions import Solution
 from rigidtop.report.symbols import symbol_list
 from rigidtop.theory import symbols as s
 
-HEADING = b.Heading(1, "", "Symbols", "letters")
+HEADING = b.SectionHead(1, "", "Symbols", "letters")
 WAKING = next(each for each in EXERCISES if each.name == "waking-top")
 
 
@@ -27,7 +27,7 @@ def test_a_students_sheet_says_what_the_letters_of_its_questions_are(notation, m
     lines = lecture_with(texts([WAKING], EXERCISES))
     edition = Edition(student=True, lines=lines, notation=notation)
     document, _ = sheet([asked], edition)
-    [table] = [x for x in document.blocks if isinstance(x, b.Table) and x.kind == "symbols"]
+    [table] = [x for x in document.blocks if isinstance(x, b.TableBlock) and x.kind == "symbols"]
     told = plain.fragment([table])
     assert f"{moment} " in told
     for meaning in ("drag torque of the air", "mass of the body", "distance from the pivot"):

@@ -83,8 +83,12 @@ def test_steps_are_those_of_scipy():
         return np.ones(states.shape)
 
     times = np.linspace(0, 20, 300)
-    course = abreast.Course(rates, ones, lambda states: np.ones(states.shape[1], dtype=bool))
-    found = abreast.states(course, np.array([[1.0], [0.5]]), times, Accuracy("DOP853", 1e-9, 1e-11))
+    problems = abreast.InitialValueProblems(
+        rates, ones, lambda states: np.ones(states.shape[1], dtype=bool)
+    )
+    found = abreast.states(
+        problems, np.array([[1.0], [0.5]]), times, Accuracy("DOP853", 1e-9, 1e-11)
+    )
     own = calls[0]
     scipy = solve_ivp(
         lambda _, x: [x[1], -np.sin(x[0])],
@@ -110,9 +114,11 @@ def test_rounding_drives_no_steps_to_nothing():
     def largest(states):
         return np.abs(states).max(axis=0, initial=1e-300) * np.ones(states.shape)
 
-    course = abreast.Course(rates, largest, lambda states: np.ones(states.shape[1], dtype=bool))
+    problems = abreast.InitialValueProblems(
+        rates, largest, lambda states: np.ones(states.shape[1], dtype=bool)
+    )
     start = np.array([[1e-12], [0.0], [1e-12], [0.0]])
-    [end] = abreast.states(course, start, np.array([35.0]), Accuracy())
+    [end] = abreast.states(problems, start, np.array([35.0]), Accuracy())
     assert abs(end[2, 0] ** 2 / 2 + np.cos(end[0, 0]) - 1) < 1e-8
 
 

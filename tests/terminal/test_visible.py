@@ -51,7 +51,7 @@ def test_nor_does_a_page_have_it(tmp_path: Path, capsys: pytest.CaptureFixture[s
 
 
 def test_nor_has_a_document() -> None:
-    blocks = (b.Heading(1, "1", HOSTILE, "one"), b.Paragraph((HOSTILE,)))
+    blocks = (b.SectionHead(1, "1", HOSTILE, "one"), b.Paragraph((HOSTILE,)))
     document = b.Document(HOSTILE, HOSTILE, blocks, HOSTILE, byline=HOSTILE)
     made = [tex.write(document, {}), tex.fragment(blocks[1:]), plain.fragment(blocks[1:])]
     made += tex.chapters(document, {}).values()

@@ -14,11 +14,11 @@ import pytest
 from rigidtop.figures.catalog import FIGURES
 from rigidtop.figures.drawing import both
 from rigidtop.report import html
-from rigidtop.report.lecture import Picture
+from rigidtop.report.lecture import PlacedFigure
 from rigidtop.web.player import player
 from rigidtop.web.setup import body_of, setup_of
 
-PICTURES = [Picture(each.name, each, {}) for each in FIGURES if each.motions]
+PICTURES = [PlacedFigure(each.name, each, {}) for each in FIGURES if each.motions]
 
 
 @pytest.fixture(scope="module")

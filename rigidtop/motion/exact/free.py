@@ -16,8 +16,8 @@ that factors.  In the frame whose ẑ is L/L the spinors α = cos(θ/2) exp(½i(
 L₃ = ±L, are as far from 2iK′ as from 0, so that one number makes both.  L in the body is −2ᾱβ, and
 the mean of the phase of α follows from φ̇ and ψ̇ where L₂ is largest.
 
-`Orbit` is in units of σ = |ω| at t = 0 and of the largest moment; its numbers are floats for one
-motion, else arrays that broadcast.
+`FreeOrbit` is in units of σ = |ω| at t = 0 and of the largest moment; its numbers are floats for
+one motion, else arrays that broadcast.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from numpy.typing import NDArray
 from rigidtop.motion.attitude import Floats, after
 from rigidtop.motion.exact import compiled, theta
 from rigidtop.motion.exact.numbers import ROUNDING, SMALLEST_PART, Arrays, Kit, Real, Truth, cubic
-from rigidtop.motion.exact.samples import Course
+from rigidtop.motion.exact.samples import Smoothness
 from rigidtop.motion.exact.theta import (
     LARGEST_RATIO,
     Factor,
@@ -49,7 +49,7 @@ Triple = tuple[Real, Real, Real]
 
 
 @dataclass(frozen=True)
-class State:
+class FreeState:
     """Attitude and ω at some times, floats or arrays."""
 
     q0: Real
@@ -73,7 +73,7 @@ class State:
 
 
 @dataclass(frozen=True)
-class Orbit:
+class FreeOrbit:
     """The motion from ω at t = 0, made by `solve`."""
 
     omega: Triple
@@ -179,17 +179,17 @@ class Orbit:
     # --- The state ---
 
     @property
-    def course(self) -> Course:
+    def smoothness(self) -> Smoothness:
         """How smooth the motion is: see `samples`."""
         strip, rate = theta.strip(self.modulus), abs(self.rate)
-        return Course(rate, strip, abs(self.drift) + rate + self.sigma, strip)
+        return Smoothness(rate, strip, abs(self.drift) + rate + self.sigma, strip)
 
-    def at(self, t: Real) -> State:
+    def at(self, t: Real) -> FreeState:
         """At times t (s), which broadcast against the orbit."""
         with np.errstate(all="ignore"):
             return self._at(Arrays, t)
 
-    def _at(self, k: Kit, t: Real) -> State:
+    def _at(self, k: Kit, t: Real) -> FreeState:
         def turning() -> tuple[Real, ...]:
             now, momentum = self._state(k, self.z0 + self.rate * t, t)
             w, *turned = after(self.back, now)
@@ -205,7 +205,7 @@ class Orbit:
             c, s = k.cos(half), k.sin(half) / self.sigma
             return (c, *(s * rate for rate in self.omega), *(rate + 0 * t for rate in self.omega))
 
-        return State(*k.pick(self.uniform, constant, turning))
+        return FreeState(*k.pick(self.uniform, constant, turning))
 
     def _state(self, k: Kit, z: Real, t: Real) -> tuple[tuple[Real, ...], Triple]:
         """The quaternion from e₁, e₂, e₃ to the frame of L, but for a constant turn; and L."""
@@ -241,7 +241,7 @@ def _renamed(k: Kit, axes: Triple, values: list[Real]) -> tuple[Real, ...]:
     )
 
 
-def solve(moments: Triple, omega: Triple) -> Orbit:
+def solve(moments: Triple, omega: Triple) -> FreeOrbit:
     """The orbits from three moments and ω in body components, arrays that broadcast."""
     with np.errstate(all="ignore"):
         return _solve(Arrays, moments, omega)
@@ -261,7 +261,7 @@ def rows(solved: Solved, start: Sequence[float], times: Floats) -> Floats:
     return compiled.rows(solved, _turned, times, *start)
 
 
-def _turned(k: Kit, orbit: Orbit, t: Real) -> tuple[Real, ...]:
+def _turned(k: Kit, orbit: FreeOrbit, t: Real) -> tuple[Real, ...]:
     first = len(leaves(orbit))  # behind the numbers of the orbit
     start = tuple(k.value(f"o[{first + part}]") for part in range(4))
     state = orbit._at(k, t)
@@ -269,7 +269,7 @@ def _turned(k: Kit, orbit: Orbit, t: Real) -> tuple[Real, ...]:
 
 
 def solved(moments: Triple, omega: Triple) -> Solved:
-    """One motion, from floats; its state is a `State`."""
+    """One motion, from floats; its state is a `FreeState`."""
     return _written().solved(*moments, *omega)
 
 
@@ -285,7 +285,7 @@ def _picked(k: Kit, values: Triple, index: Real) -> Real:
     return k.where(index == 0, values[0], k.where(index == 1, values[1], values[2]))
 
 
-def _solve(k: Kit, moments: Triple, omega: Triple) -> Orbit:
+def _solve(k: Kit, moments: Triple, omega: Triple) -> FreeOrbit:
     largest = k.larger(abs(omega[0]), k.larger(abs(omega[1]), abs(omega[2])))
     unit = k.where(largest > 0, largest, 1.0)  # no square of it overflows
     parts = [rate / unit for rate in omega]
@@ -358,7 +358,7 @@ def _solve(k: Kit, moments: Triple, omega: Triple) -> Orbit:
     end3 = a3 * k1
     away = k.over(a2 * a2, length + end3)
     slow = (away / i2 + end3 / i3) / 2
-    orbit = Orbit(
+    orbit = FreeOrbit(
         omega=omega,
         sigma=sigma,
         axes=axes,

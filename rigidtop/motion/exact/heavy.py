@@ -25,7 +25,7 @@ import numpy as np
 
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import compiled, theta
-from rigidtop.motion.exact.heavy_orbit import Half, Orbit, Start, spinor
+from rigidtop.motion.exact.heavy_orbit import Half, HeavyOrbit, HeavyStart, spinor
 from rigidtop.motion.exact.numbers import ROUNDING, SMALLEST_PART, Arrays, Kit, Real, Truth, cubic
 from rigidtop.motion.exact.roots import NEAR_POLE, Roots, Scaled, roots, unless_rounding
 from rigidtop.motion.exact.theta import Modulus, along, factor, modulus
@@ -36,7 +36,7 @@ SMALLEST_TILT = 1e-150
 """Squares of less would lose digits; an attitude does not notice."""
 
 
-def solve(start: Start) -> Orbit:
+def solve(start: HeavyStart) -> HeavyOrbit:
     """The orbits from starts, which are arrays that broadcast."""
     with np.errstate(all="ignore"):
         return _solve(Arrays, start)
@@ -45,8 +45,8 @@ def solve(start: Start) -> Orbit:
 @cache
 def _written() -> Written:
     return written(
-        len(fields(Start)),
-        lambda k, s: _solve(k, Start(*s)),
+        len(fields(HeavyStart)),
+        lambda k, s: _solve(k, HeavyStart(*s)),
         lambda k, orbit, t: orbit.evaluated(k, t),
     )
 
@@ -59,25 +59,25 @@ def rows(solved: Solved, times: Floats) -> dict[str, Floats]:
 
 def states(solved: Solved, times: Floats, compiled: bool) -> TopState:
     """The states at any number of times (N,), by NumPy or compiled."""
-    orbit: Orbit = solved.orbit
+    orbit: HeavyOrbit = solved.orbit
     if not compiled:
         return orbit.states(times)
     found = rows(solved, times)
     return orbit.state({name: found[name] for name in CHANGING})
 
 
-def _whole(k: Kit, orbit: Orbit, t: Real) -> tuple[Real, ...]:
+def _whole(k: Kit, orbit: HeavyOrbit, t: Real) -> tuple[Real, ...]:
     state = orbit.evaluated(k, t)
     theta = 2 * k.atan2(state.sin_half, state.cos_half)
     return *(getattr(state, name) for name in CHANGING), theta, *rates(k, state)
 
 
-def solved(start: Start) -> Solved:
+def solved(start: HeavyStart) -> Solved:
     """One motion, whose start is floats; its state is a `TopState`."""
     return _written().solved(*vars(start).values())
 
 
-def _solve(k: Kit, start: Start) -> Orbit:
+def _solve(k: Kit, start: HeavyStart) -> HeavyOrbit:
     given = _scaled(k, start)
     r, s, steady = roots(k, given)
     r, nome = _nome(k, s, r)
@@ -91,7 +91,7 @@ def _solve(k: Kit, start: Start) -> Orbit:
     per_sine = origin / (mod.rate * cubic(mod.sines, mod.q))
     depth, fall, falls = _fall(k, s, r, nome, origin)
     at = theta.place(k, mod, nome.z0)
-    return Orbit(
+    return HeavyOrbit(
         start=start,
         sigma=s.sigma,
         mu=s.mu,
@@ -127,7 +127,7 @@ def _solve(k: Kit, start: Start) -> Orbit:
     )
 
 
-def _scaled(k: Kit, start: Start) -> Scaled:
+def _scaled(k: Kit, start: HeavyStart) -> Scaled:
     """The start in units of σ, which no rate exceeds."""
     speed = k.hypot(start.v_theta, start.v_phi)
     sigma = k.sqrt(start.mu) + abs(start.b) + speed

@@ -1,6 +1,6 @@
 """The orbit of a heavy symmetric top, solved by `heavy`: turning points, periods, regime, states.
 
-`Start` and `Orbit` are floats of one motion, else arrays that broadcast.
+`HeavyStart` and `HeavyOrbit` are floats of one motion, else arrays that broadcast.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from rigidtop.motion.attitude import Floats
 from rigidtop.motion.exact import theta
 from rigidtop.motion.exact.numbers import ROUNDING, Arrays, Kit, Real, Truth
 from rigidtop.motion.exact.roots import Roots
-from rigidtop.motion.exact.samples import BLOCK, Course, in_blocks
+from rigidtop.motion.exact.samples import BLOCK, Smoothness, in_blocks
 from rigidtop.motion.exact.theta import Cubic, Factor, Modulus
 from rigidtop.motion.state import CHANGING, TopState
 
@@ -33,11 +33,11 @@ REGIMES = (
     "loops",
     "waves",
 )
-"""What an axis can do: see `Orbit.regime`, which takes the first that holds."""
+"""What an axis can do: see `HeavyOrbit.regime`, which takes the first that holds."""
 
 
 @dataclass(frozen=True)
-class Start:
+class HeavyStart:
     """A top and its state at t = 0; rates in rad/s, μ in 1/s²."""
 
     mu: Real
@@ -85,10 +85,10 @@ class Half:
 
 
 @dataclass(frozen=True)
-class Orbit:
+class HeavyOrbit:
     """The motion from a start, made by `solve`."""
 
-    start: Start
+    start: HeavyStart
     sigma: Real
     """The unit of rates of what follows (1/s)."""
     mu: Real
@@ -205,13 +205,13 @@ class Orbit:
     # --- The state ---
 
     @property
-    def course(self) -> Course:
+    def smoothness(self) -> Smoothness:
         """How smooth the motion is: see `samples`."""
         rate, strip, half = abs(self.rate), theta.strip(self.modulus), self.modulus.half
         nearest = min(strip / 2, self.first.factor.distance, self.second.factor.distance)
         if self.first.through or self.second.through or not rate:
-            return Course(rate, strip, rate, half=half)
-        return Course(rate, strip, rate, nearest, half)
+            return Smoothness(rate, strip, rate, half=half)
+        return Smoothness(rate, strip, rate, nearest, half)
 
     def at(self, t: Real) -> TopState:
         """The state at times t (s), which broadcast against the orbit."""
@@ -314,7 +314,7 @@ class Orbit:
         )
 
 
-def spinor(k: Kit, half: Half, at: theta.Place, cubics: Sequence[Real]) -> tuple[Real, Real]:
+def spinor(k: Kit, half: Half, at: theta.PeriodPlace, cubics: Sequence[Real]) -> tuple[Real, Real]:
     """The square of a spinor, but for the common denominator; and its phase."""
     f, g, winding = cubics
 

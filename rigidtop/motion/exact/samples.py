@@ -58,7 +58,7 @@ A late time is not known as well as an early one, and so is what depends on it."
 
 
 @dataclass(frozen=True)
-class Course:
+class Smoothness:
     """How smooth a motion is, as a function of z, which grows with time: see `theta`."""
 
     rate: float
@@ -122,10 +122,10 @@ class Samples:
             table[block] += added[block, None]
 
 
-def samples(times: Floats, course: Course, states: States, sizes: Sizes) -> Samples | None:
+def samples(times: Floats, smoothness: Smoothness, states: States, sizes: Sizes) -> Samples | None:
     """The states at `times`, if these are many and evenly spaced, and the motion smooth there."""
     step = _step(times)
-    size = _size(len(times), step, course) if step else 0
+    size = _size(len(times), step, smoothness) if step else 0
     if not size:
         return None
     half = step * ((size - 1) / 2)
@@ -143,16 +143,16 @@ def samples(times: Floats, course: Course, states: States, sizes: Sizes) -> Samp
     )
 
 
-def _size(count: int, step: float, course: Course) -> int:
+def _size(count: int, step: float, smoothness: Smoothness) -> int:
     """How many samples of a piece; 0 if pieces are too short."""
-    if not abs(step) * FEWEST <= course.piece:
+    if not abs(step) * FEWEST <= smoothness.piece:
         return 0
     # Beside each pole a piece or two are evaluated, sample by sample.
-    poles = count * abs(step) / course.period
-    lost = (BESIDE if course.nearest else THROUGH) * poles
+    poles = count * abs(step) / smoothness.period
+    lost = (BESIDE if smoothness.nearest else THROUGH) * poles
     balanced = math.sqrt(NODES * count / lost) if lost else math.inf
-    most = min(course.piece / abs(step), MOST, count)
-    most = min(most, max(course.piece_anywhere / abs(step), balanced))
+    most = min(smoothness.piece / abs(step), MOST, count)
+    most = min(most, max(smoothness.piece_anywhere / abs(step), balanced))
     return max(int(most) // SIZES * SIZES, FEWEST)
 
 

@@ -129,7 +129,7 @@ def hyperbolic_angle(k: Kit, modulus: Modulus, r: Real) -> Real:
 
 
 def along(k: Kit, mod: Modulus, c: Cubic) -> Cubic:
-    """A cubic of qC as one of `Place.x`."""
+    """A cubic of qC as one of `PeriodPlace.x`."""
 
     def from_end() -> Cubic:
         first = c[1] + (2 * c[2] + 3 * c[3] * mod.end) * mod.end
@@ -140,7 +140,7 @@ def along(k: Kit, mod: Modulus, c: Cubic) -> Cubic:
 
 
 @dataclass(frozen=True)
-class Place:
+class PeriodPlace:
     """Where a motion is in its period."""
 
     turns: Real
@@ -160,7 +160,7 @@ FARTHEST = 340.0
 """ζ of a motion without period, from which its distance from its pole counts as none."""
 
 
-def place(k: Kit, mod: Modulus, z: Real) -> Place:
+def place(k: Kit, mod: Modulus, z: Real) -> PeriodPlace:
     """Where z is."""
 
     def circular() -> tuple[Real, ...]:
@@ -183,7 +183,7 @@ def place(k: Kit, mod: Modulus, z: Real) -> Place:
         plus = (1 + shrunk) * (1 + shrunk) / (2 * shrunk)
         return turns, rest, k.tanh(rest), plus, left, left
 
-    return Place(*k.pick(mod.circular, circular, hyperbolic))
+    return PeriodPlace(*k.pick(mod.circular, circular, hyperbolic))
 
 
 def strip(mod: Modulus) -> float:
@@ -289,7 +289,7 @@ class Real4:
     third: Cubic
     fourth: Cubic
 
-    def at(self, k: Kit, mod: Modulus, place: Place) -> tuple[Real, Real, Real, Real]:
+    def at(self, k: Kit, mod: Modulus, place: PeriodPlace) -> tuple[Real, Real, Real, Real]:
         weight = k.sqrt(place.plus / 2)
         all_four = self.first, self.second, self.third, self.fourth
         first, second, third, fourth = k.cubics(all_four, place.x)

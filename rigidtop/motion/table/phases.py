@@ -72,7 +72,7 @@ Watch = Callable[[Sequence[Number]], Number]
 
 
 @dataclass(frozen=True)
-class Law:
+class ContactLaw:
     """How the contact goes on, until an event."""
 
     contact: Contact
@@ -208,35 +208,35 @@ def course(contact: Contact, start: Sequence[float], end: float, accuracy: Accur
     return Course(tuple(phases), tuple(events))
 
 
-def _begun(contact: Contact, state: list[float]) -> tuple[list[float], Law]:
+def _begun(contact: Contact, state: list[float]) -> tuple[list[float], ContactLaw]:
     """The state at t = 0, without a slip too small to count, and its law."""
     speed = math.hypot(*state[7:9]) / contact.speed_unit
     if contact.body.mu == 0 or speed >= SLOW:
-        return state, Law(contact, rolling=False)
+        return state, ContactLaw(contact, rolling=False)
     if speed > STANDSTILL:
-        return state, Law(contact, rolling=False, slow=True)
+        return state, ContactLaw(contact, rolling=False, slow=True)
     return _from_rest(contact, contact.struck(state, NOWHERE) if speed else state)
 
 
-def _from_rest(contact: Contact, state: list[float]) -> tuple[list[float], Law]:
+def _from_rest(contact: Contact, state: list[float]) -> tuple[list[float], ContactLaw]:
     """How a contact at rest goes on: it rolls, or starts to slip."""
     # Where rolling would pull, it lifts off whatever friction does.
     if contact.holds(state) or contact.rolling(state).force[2] <= 0:
-        return state, Law(contact, rolling=True)
+        return state, ContactLaw(contact, rolling=True)
     return _slipping(contact, state, contact.onset(state))
 
 
 def _slipping(
     contact: Contact, state: list[float], direction: Direction
-) -> tuple[list[float], Law]:
+) -> tuple[list[float], ContactLaw]:
     """A contact at rest, struck so that it slips as little as counts."""
     speed = 2 * STANDSTILL * contact.speed_unit
     struck = contact.struck(state, (speed * direction[0], speed * direction[1]))
-    return struck, Law(contact, rolling=False, direction=direction, slow=True)
+    return struck, ContactLaw(contact, rolling=False, direction=direction, slow=True)
 
 
 def _phase(
-    law: Law, start: list[float], span: tuple[float, float], accuracy: Accuracy
+    law: ContactLaw, start: list[float], span: tuple[float, float], accuracy: Accuracy
 ) -> tuple[Flow, list[float], str]:
     """One law until an event, or the end of the span: the state there, and the event's name."""
     first = np.array(start)
@@ -261,7 +261,7 @@ def _phase(
     return Flow(path, steps), last.tolist(), kind
 
 
-def _lifts_at_once(law: Law, state: list[float], time: float) -> bool:
+def _lifts_at_once(law: ContactLaw, state: list[float], time: float) -> bool:
     """Whether the table would have to pull; RigidtopError at t = 0, or where no motion goes on."""
     now = law.moment(state)
     _check_jam(float(now.divisor), time)

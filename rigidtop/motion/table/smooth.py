@@ -50,7 +50,7 @@ POLE = 1e-13
 
 
 @dataclass(frozen=True)
-class State:
+class NutationState:
     """At N times, arrays of shape (N,); φ and ψ count from those at t = 0 (rad, rad/s)."""
 
     theta: Floats
@@ -61,7 +61,7 @@ class State:
 
 
 @dataclass(frozen=True)
-class Line:
+class SineSeries:
     """slope χ + Σ sines[k − 1] sin kχ."""
 
     slope: float
@@ -77,7 +77,7 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Orbit:
+class Nutation:
     """A nutation between θ₁ and θ₂."""
 
     a_less_b: float
@@ -101,9 +101,9 @@ class Orbit:
     amplitude: float
     chi_0: float  # at t = 0
 
-    time: Line
-    phi: Line
-    psi: Line  # of ∫ uφ̇ dt
+    time: SineSeries
+    phi: SineSeries
+    psi: SineSeries  # of ∫ uφ̇ dt
 
     @property
     def turning_points(self) -> tuple[float, float]:
@@ -152,7 +152,7 @@ class Orbit:
         acceleration = (slope + 2 * self.kappa * u * width * linear / inertia) / (2 * inertia)
         return self.weight + self.lever * acceleration
 
-    def at(self, times: Floats) -> State:
+    def at(self, times: Floats) -> NutationState:
         """The state at `times` (N,)."""
         first = np.array([self.chi_0])
         since = times + self.time.at(first)[0]
@@ -163,7 +163,7 @@ class Orbit:
         sine = np.sqrt(upright * hanging)
         whole = 2 * np.pi * turns
 
-        def counted(line: Line) -> Floats:
+        def counted(line: SineSeries) -> Floats:
             made: Floats = line.slope * whole + line.at(chi) - line.at(first)
             return made
 
@@ -175,7 +175,7 @@ class Orbit:
         if self.through:  # e₃ comes out on the other side, to and fro
             side = np.where(turns % 2 == 0, 0.5, -0.5) * np.copysign(np.pi, chi)
             half_turn = side - math.copysign(np.pi / 2, self.chi_0)
-        return State(
+        return NutationState(
             theta=2 * np.arctan2(np.sqrt(upright), np.sqrt(hanging)),
             theta_dot=np.where(sine > 0, falling / safe, at_pole),
             v_phi=np.where(sine > 0, (self.a_less_b + self.b * upright) / safe, 0.0),
@@ -210,7 +210,7 @@ def solve(
     theta_dot: float,
     v_phi: float,
     omega3: float,
-) -> Orbit:
+) -> Nutation:
     """The nutation from θ, θ̇, φ̇ sin θ and ω₃ at t = 0 (rad, rad/s); moments about the centre.
 
     Raises RigidtopError where it comes too near to the vertical without going through it, and where
@@ -245,8 +245,8 @@ def solve(
         )
     # tan²(χ/2) = (u₂ − u₀)/(u₀ − u₁), and u falls for χ in (0, π).
     half = math.atan2(math.sqrt(high), math.sqrt(-low)) if amplitude > 0 else 0.0
-    nothing = Line(1.0, np.zeros(0))
-    orbit = Orbit(
+    nothing = SineSeries(1.0, np.zeros(0))
+    orbit = Nutation(
         a_less_b=a_less_b,
         b=b,
         beta=beta,
@@ -302,7 +302,7 @@ def _interval(
     return min(other, 0.0), max(other, 0.0)
 
 
-def _lines(integrands: Callable[[Floats], Floats]) -> tuple[Line, Line, Line]:
+def _lines(integrands: Callable[[Floats], Floats]) -> tuple[SineSeries, SineSeries, SineSeries]:
     """The integrals over χ of three smooth even functions of period 2π."""
     nodes = 32
     while nodes <= MOST_NODES:
@@ -321,5 +321,5 @@ def _lines(integrands: Callable[[Floats], Floats]) -> tuple[Line, Line, Line]:
     size = np.abs(cosines).max(axis=0) / scale.max()
     last = int(np.flatnonzero(np.append(size[: nodes // 3], 0.0) > 1e-17)[-1]) + 1
     harmonics = np.arange(1, last)
-    lines = [Line(float(row[0]), 2 * row[1:last] / harmonics) for row in cosines]
+    lines = [SineSeries(float(row[0]), 2 * row[1:last] / harmonics) for row in cosines]
     return lines[0], lines[1], lines[2]
