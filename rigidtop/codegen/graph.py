@@ -88,12 +88,12 @@ class Graph:
     # --- arithmetic -------------------------------------------------------------------------------
 
     def number(self, value: Value) -> Any:
-        """The value at the point."""
+        """The number of a value at the point at which the graph is compared."""
         c, k = value
         return self.numbers[k] if c == 1 else DIGITS.convert(c) * self.numbers[k]
 
     def total(self, values: Iterable[Value]) -> Value:
-        """The sum."""
+        """The sum of values, in one node at most."""
         collected: dict[int, Number] = {}
         for c, k in self._flat(values):
             collected[k] = collected.get(k, 0) + c
@@ -124,7 +124,7 @@ class Graph:
                 yield c, k
 
     def difference(self, value: Value, other: Value) -> Value:
-        """The first less the second."""
+        """The first value minus the second."""
         return self.total([value, self._times(-1, other)])
 
     def product(self, values: Iterable[Value], below: Iterable[Value] = ()) -> Value:
@@ -340,7 +340,7 @@ class Graph:
                 yield self._times(-1, share)
 
     def _slope(self, node: CallNode, i: int) -> Value:
-        """∂f/∂xᵢ."""
+        """The derivative of a called function by its argument i: ∂f/∂xᵢ."""
         slopes = _slopes(node.function, len(node.arguments))
         assert slopes is not None  # or else it would be a leaf
         letters, made = slopes

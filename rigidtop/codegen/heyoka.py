@@ -40,6 +40,6 @@ def on_symbols(heyoka: Any, made: Function, name: str, symbols: Sequence[Any]) -
 
 
 def _of_either(word: str, compiled: Any, *values: Any) -> Any:
-    """Of plain numbers, such as √π, which heyoka's functions do not take, or of its symbols."""
+    """A function of plain numbers, such as √π, which heyoka does not take, or of its symbols."""
     plain_numbers = all(isinstance(value, int | float) for value in values)
     return getattr(math, word)(*values) if plain_numbers else compiled(*values)

@@ -178,7 +178,7 @@ def shared_parts(
 
 
 def _about(made: ClaimOutputs, name: str, shown: Callable[[Expr], str]) -> Iterator[str]:
-    """Name, claim, equations, axes, conditions."""
+    """The lines of the comment: name, claim, equations, axes, conditions."""
     yield from textwrap.wrap(f"{name}: {unmarked(made.says)}", WIDTH - 8)
     yield ""
     conditions = [_conditions(line, shown) for line in made.lines]
@@ -276,7 +276,7 @@ def _real(value: Expr) -> Expr:
 
 
 class JavaScript(Printer, JavascriptCodePrinter):
-    """Expressions in JavaScript."""
+    """The printer that writes expressions in JavaScript."""
 
     powers_as_products = True
 

@@ -78,7 +78,7 @@ def straight_line(graph: Graph, values: Sequence[Value], names: Iterator[Symbol]
 
 
 def _in_order(nodes: Mapping[int, Node], wanted: Sequence[int]) -> list[int]:
-    """Each node behind its parts."""
+    """The nodes that are wanted and all their parts, each behind its parts."""
     made: dict[int, None] = {}
     left = list(reversed(wanted))
     while left:

@@ -15,7 +15,7 @@ Value = tuple[Number, int]
 
 
 class SumNode(NamedTuple):
-    """Numbers times nodes, added."""
+    """A sum of nodes, each times a number."""
 
     terms: tuple[Value, ...]
 
@@ -35,7 +35,7 @@ class PowerNode(NamedTuple):
 
 
 class CallNode(NamedTuple):
-    """A function of SymPy, and values that it is of."""
+    """A function of SymPy with its arguments."""
 
     function: Any
     arguments: tuple[Value, ...]

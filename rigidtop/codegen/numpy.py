@@ -58,7 +58,7 @@ class Function:
 
     @property
     def definition(self) -> ast.FunctionDef:
-        """The syntax tree of `source`."""
+        """The definition in `source` as a syntax tree."""
         [definition] = ast.parse(self.source).body
         assert isinstance(definition, ast.FunctionDef)
         return definition

@@ -188,7 +188,7 @@ def named(name: str) -> RightHandSide:
 
 
 def derived(name: str) -> tuple[Expr, ...]:
-    """What `rigidtop.theory` derives."""
+    """The expressions that `rigidtop.theory` derives for a shipped function."""
     return tuple(named(name).derive())
 
 

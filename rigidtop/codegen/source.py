@@ -31,7 +31,7 @@ class Printer(CodePrinter):
     powers_as_products = False
 
     def text(self, expression: Expr) -> str:
-        """One expression on one line."""
+        """An expression as source text, on one line."""
         self._not_supported: set[Expr] = set()
         self._number_symbols: set[Expr] = set()
         text = str(self._print(expression))
@@ -109,7 +109,7 @@ def broken(line: str, more: str = "", width: int = WIDTH) -> list[str]:
 
 
 def signature(name: str, parameters: Sequence[str], returns: str = "") -> list[str]:
-    """``def name(parameters):``."""
+    """The line ``def name(parameters):``, broken where it is too long."""
     line = f"def {name}({', '.join(parameters)}){f' -> {returns}' * bool(returns)}:"
     first, *others = broken(line, width=WIDTH - len(INDENT))
     return [first, *(INDENT + other for other in others)]

@@ -99,12 +99,12 @@ class Collection:
 
     @cached_property
     def exercises(self) -> tuple[Exercise, ...]:
-        """In reading order."""
+        """The exercises of the collection, in reading order."""
         return self.asked()
 
     @cached_property
     def figures(self) -> tuple[Drawing, ...]:
-        """Those of its pages.  Raises RigidtopError for what cannot be loaded."""
+        """The figures of its pages.  Raises RigidtopError for what cannot be loaded."""
         return self.drawn()
 
     @property
@@ -200,7 +200,7 @@ def typed(folder: Path) -> str:
 
 
 def built_in() -> Collection:
-    """The lecture on the top."""
+    """The collection that rigidtop ships: the lecture on the top."""
     from rigidtop.derivations import PAGES, lecture_with
     from rigidtop.derivations.conventions import CONVENTIONS
 

@@ -200,7 +200,7 @@ def _row(row: Row) -> Iterator[tuple[Lettered, str]]:
 
 
 def _per_second(unit: str) -> str:
-    """The unit of a rate."""
+    """The unit of the rate of a quantity with this unit."""
     if unit == "1":
         return "1/s"
     for end, longer in (("/s", "/s²"), ("/s²", "/s³")):

@@ -104,7 +104,7 @@ def _asking(lecture: Lecture, apart: Callable[[Lecture], object]) -> Iterator[tu
 def _answer(
     lecture: Lecture, apart: Callable[[Lecture], object], asked: Any, told: Any, tell: Any
 ) -> None:
-    """In the other process: the outcome of each line by its id, and what is made `apart`."""
+    """Send the outcome of each line by its id, and what is made `apart`: the other process."""
     from rigidtop.judge.page import outcome
     from rigidtop.proof.derivation import Judged
     from rigidtop.proof.equation import as_printed

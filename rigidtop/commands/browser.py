@@ -78,7 +78,7 @@ class Desk:
 
 
 def _in_order(findings: Sequence[AuditFinding]) -> list[AuditFinding]:
-    """Those that have a place, by their lines."""
+    """The findings that have a place, ordered by their lines."""
     placed = [(each.place.line, each) for each in findings if each.place is not None]
     return [each for _, each in sorted(placed, key=lambda pair: pair[0])]
 

@@ -58,7 +58,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def record(certificate: Certificate) -> dict[str, object]:
-    """A certificate as plain values."""
+    """A certificate as plain values, for JSON."""
     return {
         "passed": certificate.passed,
         "undecided": certificate.undecided,

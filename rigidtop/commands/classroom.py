@@ -38,7 +38,7 @@ class Sheet:
 
     @property
     def cells(self) -> tuple[object, ...]:
-        """Its row of the table, under `COLUMNS`."""
+        """The cells of its row of the table, under `COLUMNS`."""
         if self.marking is None:
             return self.name, 0, 0, False, "", "", self.problem
         wrong = self.marking.first_wrong

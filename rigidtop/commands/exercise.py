@@ -107,7 +107,7 @@ def _run(collection: Collection, names: Sequence[str], options: argparse.Namespa
 
 
 def _graded(collection: Collection, names: Sequence[str], options: argparse.Namespace) -> int:
-    """Write the exercises for what collects points."""
+    """Write the exercises for a program that collects points."""
     from rigidtop.commands.graders import asked, write
 
     points_of(options)  # which says what is wrong with them

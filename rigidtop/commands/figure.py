@@ -78,7 +78,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """List the figures, or write one."""
+    """List the figures, or write one; returns the exit code."""
     from rigidtop.collection import is_folder, opened
 
     if all(map(is_folder, options.name)):  # no figure before --set: is it behind?
@@ -208,7 +208,7 @@ def _print_list(figures: Sequence[Drawing], as_json: bool) -> None:
 
 
 def _record(drawing: Drawing) -> dict[str, object]:
-    """A figure as plain values."""
+    """A figure of the catalogue as plain values, for JSON."""
     from rigidtop.typeset.words import unmarked
 
     return {

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Of(Enum):
-    """What something is said of."""
+    """The kind of thing that a finding is about."""
 
     CLAIM = "a numbered equation of the collection"
     PLACE = "a place where mathematics is not read"
@@ -42,7 +42,7 @@ class FilePlace:
 
     @property
     def short(self) -> int | str:
-        """For the record: 3, ch.tex:3, or 2:3 in the second cell."""
+        """The place as the record has it: 3, ch.tex:3, or 2:3 in the second cell."""
         inside = self.file or (str(self.cell) if self.cell else "")
         return f"{inside}:{self.line}" if inside else self.line
 
@@ -153,7 +153,7 @@ def _equation(row: Row, outcome: Outcome, place: Placing) -> dict[str, Any]:
 
 
 def of_place(line: int, reason: str, file: str = "") -> AuditFinding:
-    """A place where mathematics is not read."""
+    """The finding about a place where mathematics is not read."""
     return AuditFinding(Of.PLACE, "", FilePlace(line, file), UNREAD, reason, None)
 
 

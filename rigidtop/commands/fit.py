@@ -119,7 +119,7 @@ def _rows(fit: Fit[Any], scaled: bool) -> list[tuple[str, str, str, str]]:
 
 
 def _power(value: float) -> int:
-    """Of ten."""
+    """The power of ten of a value's first digit; 0 for 0."""
     return math.floor(math.log10(abs(value))) if value else 0
 
 

@@ -47,7 +47,7 @@ class GradedExercise:
 
     @property
     def how(self) -> str:
-        """How to answer, in Markdown."""
+        """The sentence that tells students how to answer, in Markdown."""
         ways = []
         if self.goal is not None:
             start, goal = self.goal

@@ -84,7 +84,7 @@ def look_of(options: argparse.Namespace) -> Look:
 
 
 def points_of(options: argparse.Namespace) -> str:
-    """What stands at each exercise."""
+    """The points as they are printed at each exercise; "" for none."""
     from rigidtop.report.handout import counted
 
     if options.points is None:

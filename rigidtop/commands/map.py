@@ -30,7 +30,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print or draw the map."""
+    """Print the map of claims, or draw it; returns the exit code."""
     from rigidtop.collection import opened
 
     notation = chosen(options)

@@ -137,7 +137,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _one(file: str, options: argparse.Namespace, judge: Judge) -> int:
-    """Mark one answer and print."""
+    """Mark one answer and print the result; returns the exit code."""
     source = _typed() if file == "-" else text_of(file)
     start, goal, found = _with_lines(file, judge(source))
     if options.output:
@@ -211,7 +211,7 @@ def _print(found: Marking) -> None:
 
 
 def _typed() -> str:
-    """What comes in by standard input."""
+    """The text that comes in by standard input."""
     try:
         text = sys.stdin.read(LONGEST + 1)
     except UnicodeDecodeError:

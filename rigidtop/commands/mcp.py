@@ -15,7 +15,7 @@ wants `pip install 'rigidtop[mcp]'`."""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """It has none."""
+    """The command has no options of its own."""
 
 
 def run(options: argparse.Namespace) -> int:

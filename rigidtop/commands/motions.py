@@ -148,7 +148,7 @@ def motion(options: argparse.Namespace, command: str) -> Motion:
 
 
 def _foreign(body: str) -> tuple[str, ...]:
-    """Options that are another body's."""
+    """The options that belong to the other kind of body."""
     return FREE_OPTIONS if body == "top" else TOP_OPTIONS + TOP_RATES + CONSTANTS
 
 

@@ -55,7 +55,7 @@ class Notes:
 
     @property
     def is_wrong(self) -> bool:
-        """Whether anything is."""
+        """Whether anything in the notes is wrong."""
         return any(each.is_wrong for each in self.findings)
 
 

@@ -91,7 +91,7 @@ def _named(path: str, head: list[str]) -> tuple[dict[str, int], list[float]]:
 
 
 def _own(name: str) -> str:
-    """Our name of a column."""
+    """The name that rigidtop has for a column of a recording."""
     words = re.findall(r"[a-z]+|\d+", name)
     bare = len(words) == 1 and words[0] in "xyz"
     if words and words[-1] in AXES and (bare or words[0].startswith(TURNING)):

@@ -99,7 +99,7 @@ def _of_motion(path: Any, options: argparse.Namespace) -> Told:
 
 
 def _of_table(path: Any, options: argparse.Namespace) -> Told:
-    """Of a top that slides, rolls, and may fall before the time is over."""
+    """The summary for a top that slides, rolls, and may fall before the end."""
     events = [{"time": event.time, "kind": event.kind} for event in path.events]
     budget, ended = path.budget(), path.ended.kind if path.ended else None
     friction, air = path.dissipated_by_friction[-1] + 0.0, path.dissipated_by_air[-1] + 0.0

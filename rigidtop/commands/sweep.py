@@ -208,7 +208,7 @@ def summary(found: Map) -> dict[str, object]:
 
 
 def text(record: dict[str, Any]) -> str:
-    """A summary in lines."""
+    """The summary of a sweep, in lines of text."""
     shape = " × ".join(
         f"{n} {name}" for n, name in zip(record["shape"], record["axes"], strict=True)
     )
@@ -286,7 +286,7 @@ def noted_interrupts() -> Iterator[Callable[[], bool]]:
 
 
 def follow() -> None:
-    """In a worker process: end with the process that asked, and leave the interrupts to it."""
+    """End a worker with the process that asked, and leave the interrupts to that."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
     if parent is not None:

@@ -68,7 +68,7 @@ class _Step:
     stages: Floats
 
     def taken(self, rows: Which | NDArray[np.bool_]) -> _Step:
-        """The same of some of its motions."""
+        """The step for some of its motions."""
         old, new = self.states
         at = self.which[rows], self.before[rows], self.after[rows]
         return _Step(self.rates, *at, (old[:, rows], new[:, rows]), self.stages[..., rows])

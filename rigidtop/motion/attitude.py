@@ -47,12 +47,12 @@ def of_polar_angle(theta: Any, library: Any = math) -> tuple[Any, Any, Any]:
 
 
 def quaternions(rotation: Rotation) -> Floats:
-    """(…, 4), scalar first."""
+    """The unit quaternions of attitudes, shape (…, 4), scalar first."""
     return np.roll(rotation.as_quat(), 1, axis=-1)
 
 
 def rotation(q: Floats) -> Rotation:
-    """Of quaternions (…, 4), scalar first; they need not be units."""
+    """The attitudes of quaternions (…, 4), scalar first; they need not be units."""
     return Rotation.from_quat(np.roll(q, -1, axis=-1))
 
 
@@ -124,7 +124,7 @@ def spinors(q: Floats) -> tuple[Complexes, Complexes]:
 
 
 def polar_angle(alpha: Complexes, beta: Complexes) -> Floats:
-    """θ in [0, π]."""
+    """The angle θ in [0, π] between e₃ and the vertical (rad)."""
     return 2 * np.arctan2(np.abs(beta), np.abs(alpha))
 
 

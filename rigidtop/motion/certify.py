@@ -263,7 +263,7 @@ LAWS: Mapping[str, Callable[[_Angles], float]] = MappingProxyType(
 
 
 def _drift(path: Trajectory) -> dict[str, float]:
-    """Of energy, p_φ, p_ψ and |L|, those that the motion keeps, relative as in `drift`."""
+    """The drifts of energy, p_φ, p_ψ and |L|, as far as the motion keeps them; see `drift`."""
     body, start = path.motion.body, path.motion.start()
     energy, momentum = path.scales
     kept: dict[str, tuple[Callable[[Trajectory], Floats], float]] = {

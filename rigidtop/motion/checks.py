@@ -82,13 +82,13 @@ def truth(name: str, value: object) -> bool:
 
 
 def vector(name: str, value: object) -> tuple[float, float, float]:
-    """Three finite floats."""
+    """The value as three finite floats, or an error that says its name."""
     first, second, third = _row(name, value, 3, "three numbers")
     return first, second, third
 
 
 def pair(name: str, value: object) -> tuple[float, float]:
-    """Two finite floats, along x̂ and ŷ."""
+    """The value as two finite floats, along x̂ and ŷ."""
     first, second = _row(name, value, 2, "two numbers, along x and y")
     return first, second
 

@@ -37,7 +37,7 @@ class Axis:
 
 
 def axis(body: RigidBody) -> Axis:
-    """Of a heavy body that has one; RigidtopError for others."""
+    """The symmetry axis of a heavy body that has one; RigidtopError for others."""
     moments, weight = body.moments, body.weight
     if moments[0] == moments[1] == moments[2]:
         size = math.hypot(*weight)

@@ -26,7 +26,7 @@ SHAPE = (1.0, 1.6, 2.2)
 
 
 class FreeFit(Fit[Motion]):
-    """Of a free body; L and E are in units in which the moments are the `values`."""
+    """The fit of a free body; L and E are in units in which the moments are the `values`."""
 
     @property
     def lambda1(self) -> float:
@@ -35,12 +35,12 @@ class FreeFit(Fit[Motion]):
 
     @property
     def lambda2(self) -> float:
-        """λ₂."""
+        """The principal moment λ₂ that fits best."""
         return self.values["lambda2"]
 
     @property
     def lambda3(self) -> float:
-        """λ₃."""
+        """The principal moment λ₃ that fits best."""
         return self.values["lambda3"]
 
 
@@ -95,7 +95,7 @@ class FreeModel(FitModel[Motion]):
 
     @cached_property
     def tensor(self) -> Floats:
-        """By linear least squares from Iω + ∫ω × Iω dt = const, in the sensor's axes."""
+        """The tensor by least squares from Iω + ∫ω × Iω dt = const, in the sensor's axes."""
         t, omega = self.rates
         pairs = [(k, k) for k in range(3)] + [(0, 1), (0, 2), (1, 2)] * self.turned
         basis = []
@@ -200,7 +200,7 @@ class FreeModel(FitModel[Motion]):
         return told | {"L": momentum, "E": (moments * omega**2).sum(axis=1) / 2}
 
     def still(self) -> Floats:
-        """Of a ball, whose ω is constant."""
+        """The residuals of a ball, whose ω is constant."""
         columns = []
         mean = self.rates[1].mean(axis=0)
         if self.omega is not None:
@@ -212,5 +212,5 @@ class FreeModel(FitModel[Motion]):
 
 
 def _rows(rotation: Rotation) -> Floats:
-    """Quaternions (P, 1, 4)."""
+    """The quaternions of P attitudes, shape (P, 1, 4)."""
     return attitudes.quaternions(rotation)[:, None]

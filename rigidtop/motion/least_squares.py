@@ -66,12 +66,12 @@ class Fit(Generic[Moves]):
 
     @property
     def errors(self) -> dict[str, float]:
-        """Standard errors of the `values`."""
+        """The standard errors of the `values`, by name."""
         return dict(zip(self.values, np.sqrt(np.diag(self.covariance)).tolist(), strict=True))
 
     @property
     def residuals(self) -> dict[str, Floats]:
-        """Measured minus computed."""
+        """The measured columns minus the computed ones, by name."""
         return {name: data - self.computed[name] for name, data in self.measured.items()}
 
     def __repr__(self) -> str:
@@ -95,7 +95,7 @@ class FitModel(ABC, Generic[Moves]):
     @property
     @abstractmethod
     def groups(self) -> list[int]:
-        """Of each column the number of the instrument: those of one have the same noise."""
+        """The number of each column's instrument: columns of one have the same noise."""
 
     @abstractmethod
     def computed(self, parameters: Floats, rows: Any) -> Floats:
@@ -135,12 +135,12 @@ class FitModel(ABC, Generic[Moves]):
         """The motion at t = 0, with a first time `since`."""
 
     def settled(self, parameters: Floats) -> Floats:
-        """Of parameters that make the same motion those whose names are right."""
+        """The parameters whose names are right, of those that make the same motion."""
         return parameters
 
     @abstractmethod
     def quantities(self, parameters: Floats) -> dict[str, Floats]:
-        """What is told, (P,) by name."""
+        """The quantities that a fit reports, each (P,), by name."""
 
     @abstractmethod
     def still(self) -> Floats:
@@ -252,7 +252,7 @@ def _inverse(model: FitModel[Any], parameters: Floats, slopes: Floats) -> Floats
 def told(
     model: FitModel[Any], parameters: Floats, covariance: Floats
 ) -> tuple[dict[str, float], Floats]:
-    """Quantities, and their covariance."""
+    """The fitted quantities by name, and their covariance."""
     values = {name: float(x[0]) for name, x in model.quantities(parameters[None]).items()}
     slopes = _slopes(lambda p: np.stack([*model.quantities(p).values()], axis=-1), parameters)
     return values, slopes @ covariance @ slopes.T

@@ -115,7 +115,7 @@ class _Motions(Periods[NDArray[np.str_], Floats]):
 
     @abstractmethod
     def _orbits(self, index: NDArray[np.intp]) -> free.FreeOrbit | heavy_orbit.HeavyOrbit:
-        """Of the motions whose place in the flattened array is `index`."""
+        """The orbits of the motions whose place in the flattened array is `index`."""
 
     def _of_orbit(self, name: str) -> Any:
         def quantities(index: NDArray[np.intp], _: Floats) -> list[Any]:

@@ -68,7 +68,7 @@ class Rows(ABC):
         return f"<{type(self).__name__}: {len(self)} rows, {span}; {names}>"
 
     def _repr_html_(self) -> str:
-        """The first rows, for notebooks."""
+        """The first rows as an HTML table, for notebooks."""
         columns = self.columns()
         head = "".join(f"<th>{header}</th>" for header in columns)
         body = "".join(

@@ -36,7 +36,7 @@ class InitialState:
 
     @property
     def halves(self) -> Pair:
-        """cos(θ/2) and sin(θ/2)."""
+        """The two numbers cos(θ/2) and sin(θ/2)."""
         alpha, beta = attitude.spinors(attitude.quaternions(self.attitude))
         return float(abs(alpha)), float(abs(beta))
 
@@ -64,7 +64,7 @@ class EulerStart:
 
     @cached_property
     def attitude(self) -> Rotation:
-        """Body components to space components."""
+        """The rotation that takes body components to space components."""
         return attitude.from_euler_angles(self.theta, self.phi, self.psi)
 
     @property
@@ -74,7 +74,7 @@ class EulerStart:
 
     @property
     def halves(self) -> Pair:
-        """cos(θ/2) and sin(θ/2)."""
+        """The two numbers cos(θ/2) and sin(θ/2)."""
         cos_half, sin_half, _ = attitude.of_polar_angle(self.theta)
         return cos_half, sin_half
 
@@ -98,7 +98,7 @@ class Moving(ABC):
 
     @property
     def attitude(self) -> Rotation:
-        """At t = 0, body components to space components."""
+        """The attitude at t = 0: body components to space components."""
         return self.initial.attitude
 
     @property
@@ -125,7 +125,7 @@ GIVEN = ("theta", "theta_dot", "phi", "phi_dot", "psi", "psi_dot", "omega3")
 
 
 def from_angles(missing: str, *given: object) -> EulerStart:
-    """From what is `GIVEN`: θ, the spin as ψ̇ or ω₃, and the others, which are 0 if None.
+    """The start from what is `GIVEN`: θ, the spin as ψ̇ or ω₃, and others, 0 if None.
 
     Raises RigidtopError for anything else: with `missing` where θ or the spin is.
     """
@@ -228,7 +228,7 @@ def _root(function: Any, low: float, high: float) -> float:
 def from_constants(
     top: SymmetricTop, E: object, p_phi: object, p_psi: object, theta: object, *angles: object
 ) -> EulerStart:
-    """From E, p_φ and p_ψ, with θ̇ ≥ 0: at the smallest θ unless given; φ and ψ are 0 if None.
+    """The start from E, p_φ and p_ψ, with θ̇ ≥ 0: at the smallest θ unless given; φ, ψ 0 if None.
 
     Raises RigidtopError for constants that the top cannot have, there or anywhere.
     """

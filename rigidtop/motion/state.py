@@ -107,7 +107,7 @@ def of_numbers(numbers: Sequence[float]) -> TopState:
 
 
 def of_start(start: AnyStart, body: Real) -> TopState:
-    """That at t = 0, of a body with λ₁ and λ₃."""
+    """The state at t = 0, of a body with λ₁ and λ₃."""
     omega3 = start.omega[2]
     upright = body.lambda3 * omega3 / (2 * body.lambda1)
     return of_numbers((*start.halves, *start.angles, *start.rates, omega3, upright))

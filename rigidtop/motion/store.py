@@ -208,7 +208,7 @@ def _size(intervals: Iterable[Interval]) -> int:
 
 
 def _line(block: Interval, content: Iterable[bytes | memoryview]) -> str:
-    """Of the journal; the checksum is also one of the place."""
+    """A line of the journal; its checksum is also one of the place."""
     place = "{} {}".format(*block)
     checksum = zlib.crc32(place.encode())
     for piece in content:

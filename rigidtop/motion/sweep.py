@@ -69,7 +69,7 @@ class Span:
         object.__setattr__(self, "count", checks.whole("count", self.count, 2))
 
     def at(self, index: NDArray[np.intp]) -> Floats:
-        """The numbers at these places."""
+        """The numbers at these places of the axis."""
         step = (self.stop - self.start) / (self.count - 1)
         return np.where(index == self.count - 1, self.stop, index * step + self.start)
 
@@ -81,7 +81,7 @@ class Span:
 
 @dataclass(frozen=True)
 class Listed:
-    """Numbers given one by one."""
+    """An axis of numbers that are given one by one."""
 
     values: tuple[float, ...]
 
@@ -93,16 +93,16 @@ class Listed:
 
     @property
     def count(self) -> int:
-        """How many."""
+        """How many numbers the axis has."""
         return len(self.values)
 
     def at(self, index: NDArray[np.intp]) -> Floats:
-        """The numbers at these places."""
+        """The numbers at these places of the axis."""
         return np.array(self.values)[index]
 
     @property
     def ends(self) -> tuple[float, float]:
-        """The smallest and the largest."""
+        """The smallest number and the largest."""
         return min(self.values), max(self.values)
 
 
@@ -160,22 +160,22 @@ class Sweep:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Points along each axis."""
+        """The number of points along each axis."""
         return tuple(axis.count for axis in self.axes.values())
 
     @property
     def size(self) -> int:
-        """Points in all."""
+        """The number of points in all."""
         return math.prod(self.shape)
 
     @property
     def dtype(self) -> np.dtype[np.generic]:
-        """Of the values: codes of regimes in `REGIMES`, or floats."""
+        """The type of the values: codes of regimes in `REGIMES`, or floats."""
         return np.dtype(np.uint8 if self.quantity == "regime" else np.float64)
 
     @property
     def about(self) -> Mapping[str, object]:
-        """All of it, for JSON."""
+        """The sweep as plain values, for JSON."""
         axes = {name: asdict(axis) for name, axis in self.axes.items()}
         for axis in axes.values():
             axis.update({name: list(value) for name, value in axis.items() if name == "values"})
@@ -195,12 +195,12 @@ class Map:
 
     @property
     def axes(self) -> dict[str, Floats]:
-        """The numbers along each axis."""
+        """The numbers along each axis, by its name."""
         return {n: axis.at(np.arange(axis.count)) for n, axis in self.sweep.axes.items()}
 
     @property
     def values(self) -> NDArray[np.generic]:
-        """Of the sweep's shape, read from the file as they are used; regimes are codes."""
+        """The values in the sweep's shape, read from the file when used; regimes are codes."""
         with store.readable_errors(self.path):
             try:
                 values: NDArray[np.generic] = np.load(self.path, mmap_mode="r")

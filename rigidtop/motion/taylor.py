@@ -135,7 +135,7 @@ def _kept(integrator: Any, end: float, longest: float, steps: int) -> tuple[obje
 
 
 def _compiled(integrator: Any, end: float, longest: float, steps: int) -> tuple[object, Any]:
-    """The same, compiled: for many."""
+    """The outcome and the compiled series, for evaluation at many times."""
     outcome, *_, series, _ = integrator.propagate_until(
         end, max_delta_t=longest, max_steps=steps, c_output=True
     )
@@ -143,7 +143,7 @@ def _compiled(integrator: Any, end: float, longest: float, steps: int) -> tuple[
 
 
 def batch() -> int:
-    """So many motions at once suit the processor."""
+    """The number of motions at once that suits the processor."""
     return int(loaded().recommended_simd_size())
 
 

@@ -18,16 +18,16 @@ from rigidtop.motion.top import HeavyTop
 
 
 class TopFit(Fit[Motion]):
-    """Of a heavy symmetric top; its `motion` has λ₁ = 1 and M = 1."""
+    """The fit of a heavy symmetric top; its `motion` has λ₁ = 1 and M = 1."""
 
     @property
     def spin(self) -> float:
-        """λ₃ω₃/λ₁ (rad/s)."""
+        """The spin λ₃ω₃/λ₁ that fits best (rad/s)."""
         return self.values["spin"]
 
     @property
     def weight(self) -> float:
-        """MgR/λ₁ (1/s²)."""
+        """The weight MgR/λ₁ that fits best (1/s²)."""
         return self.values["weight"]
 
 
@@ -80,7 +80,7 @@ class TopModel(FitModel[Motion]):
         return np.stack(np.broadcast_arrays(*(getattr(state, x) for x in names)), axis=-1)
 
     def starts(self) -> list[Floats]:
-        """From φ̇ sin²θ + b cos θ = a and θ̈ = (φ̇² cos θ − bφ̇ + μ) sin θ, integrated in time."""
+        """First parameters from φ̇ sin²θ + b cos θ = a and θ̈'s equation, integrated in time."""
         t, sine, cosine = self.t, np.sin(self.theta), np.cos(self.theta)
 
         def summed(values: Floats, over: Floats = t) -> Floats:
@@ -124,7 +124,7 @@ class TopModel(FitModel[Motion]):
         return told
 
     def still(self) -> Floats:
-        """Of a steady precession."""
+        """The residuals of a steady precession, one column for each angle."""
         made = [self.theta - self.theta.mean()]
         for angle in (self.phi, self.psi):
             if angle is not None:

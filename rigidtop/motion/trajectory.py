@@ -80,7 +80,7 @@ class Trajectory(Rows):
         return {"energy": self.energy, "angular_momentum": self.angular_momentum}
 
     def drift(self) -> dict[str, float]:
-        """By how much the conserved quantities stray from their values at t = 0, at most.
+        """The largest changes of the conserved quantities from their values at t = 0.
 
         Each is relative: the energy to T₀ + MgR, a momentum to √(2λ(T₀ + MgR)) with the largest
         moment λ, which no |L| of a body with that kinetic energy exceeds.  T₀ is the kinetic energy
@@ -175,7 +175,7 @@ class TopTrajectory(TopState, Trajectory):
         return lambda3 * self.omega[:, 2]
 
     def conserved(self) -> Mapping[str, Floats]:
-        """The energy, p_φ and p_ψ."""
+        """The conserved quantities by name: the energy, p_φ and p_ψ."""
         return {"energy": self.energy, "p_phi": self.p_phi, "p_psi": self.p_psi}
 
 

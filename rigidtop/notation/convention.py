@@ -96,7 +96,7 @@ class Notation:
         return image.symbol if image is not None and image.quarters else self.written(tree)
 
     def axis(self, tree: Expr) -> Any:
-        """As `named`; of an axis, not of a direction, so that −e₂′ is e₂′."""
+        """The axis as `named`; an axis is no direction, so that −e₂′ is e₂′."""
         image = self.images.get(tree) if isinstance(tree, Symbol) else None
         return image.symbol if image is not None and image.negative else self.named(tree)
 

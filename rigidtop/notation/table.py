@@ -230,7 +230,7 @@ def _lettered(letters: Toml) -> dict[Symbol, Glyph]:
 
 
 def _spellings(entries: Toml, glyphs: Mapping[Symbol, Glyph]) -> dict[Glyph, Symbol]:
-    """What is understood besides."""
+    """The glyphs that are read as a symbol although they are not its own."""
     made: dict[Glyph, Symbol] = {}
     for key, listed in entries.items():
         symbol, where = _symbol(key, "spellings"), f"spellings.{key}"
@@ -271,7 +271,7 @@ def _unambiguous(
 
 
 def _shown(glyph: Glyph) -> str:
-    """A glyph in a message."""
+    """A glyph as a message names it, with its accents in words."""
     index = f"_{glyph.sub}" if glyph.sub else ""
     words = [word for word, there in (("bold", glyph.bold), (glyph.accent, glyph.accent)) if there]
     said = f" ({', '.join(words)})" if words else ""

@@ -151,7 +151,7 @@ def _signed(tree: Expr, images: Images) -> Signed:
 
 
 def _made(negative: bool, tree: Expr) -> Expr:
-    """−tree, where a minus sign came up."""
+    """The tree, or −tree where a minus sign came up."""
     return _negated(tree) if negative else tree
 
 

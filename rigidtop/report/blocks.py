@@ -62,7 +62,7 @@ class UprightUnit:
 
     @property
     def spaced(self) -> str:
-        """With the thin space that stands before it."""
+        """The unit with the thin space that stands before it."""
         return self.letters if self.letters[:1] in "°″%" else "\u2009" + printed_unit(self.letters)
 
 
@@ -82,7 +82,7 @@ class Script:
     verdict: Callable[[Verdict], str] = str
 
     def __call__(self, content: Rich) -> str:
-        """Running text with its formulas."""
+        """Running text with its formulas, as one string of the format."""
         return "".join(map(self._piece, content))
 
     def _piece(self, piece: Piece) -> str:
@@ -137,7 +137,7 @@ class MarginMark:
 
     @property
     def in_full(self) -> MarginMark:
-        """For where what is above is not in sight."""
+        """The mark with its whole note, for where what is above is not in sight."""
         return replace(self, note=self.above or self.note)
 
 
@@ -286,7 +286,7 @@ class ExerciseHead:
 
     @property
     def label(self) -> str:
-        """What stands before the title."""
+        """What stands before the title: the kind, and the number if there is one."""
         return f"{self.kind} {self.number}" if self.number else self.kind
 
 
@@ -311,7 +311,7 @@ class Aside:
 
 @dataclass(frozen=True)
 class AsideEnd:
-    """Where a box ends."""
+    """The end of the innermost box that is open."""
 
 
 @dataclass(frozen=True)
@@ -324,7 +324,7 @@ class Results:
 
 @dataclass(frozen=True)
 class Legend:
-    """What the marks in the margin mean."""
+    """What the marks in the margin mean, verdict by verdict."""
 
     rows: tuple[tuple[Verdict, str], ...]
     head: str = "In the margin, at each claim"

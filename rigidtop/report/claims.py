@@ -296,7 +296,7 @@ def place(counterexample: Counterexample) -> b.Rich:
 
 
 def said_at(counterexample: Counterexample) -> b.Rich:
-    """A counterexample in words."""
+    """A counterexample in words: the numbers, then both sides there."""
     at, left, right = refuted(counterexample)
     words = sides(left, right, place(counterexample))
     return (*at, ": ", *words) if at else words

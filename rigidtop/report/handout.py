@@ -56,7 +56,7 @@ class Parts:
         return (*(each for each in made if isinstance(each, b.MarginMark)), *box)
 
     def alone(self, judgement: Judgement) -> list[b.Block]:
-        """A claim that has no lines."""
+        """The blocks of a claim that has no lines."""
         return claim_blocks(judgement) if self.recorded else stated(judgement)
 
     def equations(self, text: Text) -> list[Equation]:
@@ -247,7 +247,7 @@ def _called(claim: Claim, place: b.Rich) -> b.Rich:
 
 
 def results(solution: Solution) -> list[b.Block]:
-    """The numbers of a solution."""
+    """The answers and tables of a solution, as blocks."""
     blocks: list[b.Block] = [b.Paragraph((solution.exercise.method,))]
     answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
     if answers:

@@ -162,7 +162,7 @@ def _part(head: str, *deep: str) -> str:
 
 
 def _entry(block: b.SectionHead | b.ExerciseHead) -> str:
-    """A line of the contents."""
+    """The link to a section or an exercise in the table of contents."""
     kind, number = (
         ("", block.number) if isinstance(block, b.SectionHead) else (' class="ask"', "Ex.")
     )
@@ -231,7 +231,7 @@ rich = b.Script(
 
 @singledispatch
 def html_block(block: b.Block) -> str:
-    """A block as HTML."""
+    """A block of a document, as HTML."""
     raise TypeError(f"no HTML for {type(block).__name__}")
 
 

@@ -83,7 +83,7 @@ class PlacedFigure:
         return of(**self.drawing.values(self.given)) if of else ()
 
     def described(self, number: int) -> b.Figure:
-        """As the blocks of a document know it."""
+        """The figure as the blocks of a document know it."""
         values = self.drawing.values(self.given)
         caption, alternative = self.drawing.caption(**values), self.drawing.alternative(**values)
         return b.Figure(self.name, caption, alternative, number)
@@ -101,7 +101,7 @@ def picture(solution: Solution, notation: Notation | None = None) -> PlacedFigur
 
 
 def exercise_fragment(solution: Solution, notation: Notation = NOTES_NOTATION) -> str:
-    """An exercise with its solution as text."""
+    """An exercise with its solution, as text of one format."""
     told = blocks(solution_in(notation, solution), notation=notation)
     told[1:1] = notations.remark(notation, symbols_used(told))
     return plain.fragment(told, terminal_width())
@@ -144,7 +144,7 @@ def solution_in(notation: Notation, solution: Solution) -> Solution:
 
 @dataclass(frozen=True)
 class Edition:
-    """For whom a document is written, and in what form.
+    """The reader for whom a document is written, and its form.
 
     A `student` gets no solutions.  Equations are in the `notation`, of which the first page tells
     where one is given; the text is that of `lines`.  An exercise can bring so many `points`.

@@ -22,12 +22,12 @@ Record = dict[str, object]
 def steps(
     lecture: Lecture, name: str, notation: Notation = NOTES, deep: bool = False
 ) -> list[dict[str, object]]:
-    """The lines as records for programs."""
+    """The lines as records of plain values, for JSON."""
     return [step(lecture, id, notation) for id in lecture.way(name, deep)[0]]
 
 
 def step(lecture: Lecture, id: str, notation: Notation = NOTES) -> dict[str, object]:
-    """A line as a record for programs."""
+    """A line as a record of plain values, for JSON."""
     each = lecture.judged(id)
     equations = [notation.written(equation) for equation in each.line.equations]
     return {

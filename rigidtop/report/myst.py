@@ -64,7 +64,7 @@ def _project(document: b.Document, names: Sequence[str]) -> str:
 
 
 def _path(anchor: str) -> str:
-    """Where the page of a claim is."""
+    """The path of the page on which a claim stands."""
     return anchor.replace("claim-", "claims/", 1)
 
 

@@ -54,7 +54,7 @@ def rows(notation: Notation) -> list[list[str]]:
 
 
 def record(notation: Notation) -> dict[str, object]:
-    """What `rigidtop notation --json` says."""
+    """The notation as plain values, for `rigidtop notation --json`."""
     means = Wording(notation).meaning
     return {
         "name": notation.name,

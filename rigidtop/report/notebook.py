@@ -274,7 +274,7 @@ class Picture:
 
 
 def picture(drawn: Canvas, words: str) -> Picture:
-    """A Matplotlib figure on white paper, as a small PNG."""
+    """The picture that is drawn at these values of the sliders."""
     buffer = BytesIO()
     with matplotlib.rc_context(STYLE):
         drawn.savefig(buffer, format="png", dpi=DOTS, facecolor="white")
@@ -339,7 +339,7 @@ class Sliders:
     columns: int
 
     def picture(self, values: Mapping[str, float]) -> Picture:
-        """At these values of the sliders."""
+        """The picture that is drawn at these values of the sliders."""
         with matplotlib.rc_context(STYLE):
             drawn = canvas(self.width, self.height)
             axes = drawn.subplots(1, self.columns)

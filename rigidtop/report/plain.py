@@ -52,7 +52,7 @@ def _lines(block: b.Block, width: int) -> list[str]:
 
 
 def _row(row: b.DisplayRow, width: int) -> list[str]:
-    """An equation beneath its sentence."""
+    """The lines of an equation, below the sentence that belongs to it."""
     reason = _wrapped(rich(row.spoken), width, "  ", "  ") if row.reason else []
     marks = (f"({row.tag})" if row.tag else "", f"[{row.verdict}]" if row.verdict else "")
     line = "  ".join(filter(None, (text(row.equation, row.order), *marks)))

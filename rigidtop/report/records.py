@@ -29,7 +29,7 @@ def record(judgement: Judgement) -> dict[str, object]:
 
 
 def measure_record(measure: Measure) -> dict[str, object]:
-    """A measure as plain values."""
+    """A measure as plain values, for JSON."""
     return {
         "what": unmarked(measure.what),
         "error": float(measure.error),

@@ -89,7 +89,7 @@ def _numbers(outcome: Outcome) -> list[float | str]:
 
 
 def blocks(solution: Solution, *, notation: Notation = NOTES) -> list[b.Block]:
-    """The exercise and its solution."""
+    """The blocks of an exercise with its solution."""
     made = question(solution.exercise, solution.settings, named=not notation.images)
     made.append(b.Subhead("Solution in symbols"))
     own = {shown.name for shown in solution.text.shown} if solution.text else set()
@@ -101,7 +101,7 @@ def blocks(solution: Solution, *, notation: Notation = NOTES) -> list[b.Block]:
 
 
 def numbers(solution: Solution) -> Iterable[b.Block]:
-    """What was found, and what confirms it."""
+    """The numbers of a solution, and what confirms them."""
     yield b.Subhead("Solution in numbers")
     yield b.Paragraph((solution.exercise.method,))
     answers = [outcome for outcome in solution.outcomes if isinstance(outcome, Answer)]
@@ -117,7 +117,7 @@ def numbers(solution: Solution) -> Iterable[b.Block]:
 
 
 def confirmed(measures: Sequence[Measure]) -> b.TableBlock:
-    """By how much a second way to the same numbers differs."""
+    """The table that says by how much a second way to the same numbers differs."""
     return measured(measures, "Confirmed", "by a second way")
 
 
@@ -137,7 +137,7 @@ def question(
 
 
 def posed(exercise: Exercise, number: int = 0, points: str = "") -> list[b.Block]:
-    """Its title and its statement."""
+    """The blocks of an exercise without its solution: its title and its statement."""
     head = b.ExerciseHead(exercise.title, b.anchor(exercise.name), exercise.asks, number, points)
     paragraphs = (" ".join(part.split()) for part in exercise.statement.split("\n\n"))
     return [head, *(b.Paragraph((part,)) for part in paragraphs)]
@@ -156,7 +156,7 @@ def _unit(unit: str, value: float | str) -> str:
 
 
 def record(solution: Solution) -> dict[str, object]:
-    """What `rigidtop exercise --json` says."""
+    """A solution as plain values, for `rigidtop exercise --json`."""
     exercise = solution.exercise
     return {
         **listed(exercise),

@@ -51,7 +51,7 @@ def symbol_list(
 
 
 def symbols_used(blocks: Iterable[Block]) -> set[Symbol]:
-    """The symbols of all displays."""
+    """The set of symbols that occur in the displays of a document."""
     return {symbol for symbol in _in_order(blocks) if isinstance(symbol, Symbol)}
 
 

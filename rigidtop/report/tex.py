@@ -234,7 +234,7 @@ def fragment(blocks: Sequence[b.Block]) -> str:
 
 @singledispatch
 def tex_block(block: b.Block) -> str:
-    """A block as LaTeX."""
+    """A block of a document, as LaTeX."""
     raise TypeError(f"no LaTeX for {type(block).__name__}")
 
 

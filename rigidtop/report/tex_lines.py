@@ -46,7 +46,7 @@ def in_words(node: lay.Node) -> str:
 
 
 def upright(unit: str) -> str:
-    """A unit in upright letters."""
+    """The LaTeX of a unit, in upright letters."""
     return "".join(map(_unit_character, unit))
 
 
@@ -123,7 +123,7 @@ def shown(block: b.Display) -> str:
 
 
 def abreast(row: b.DisplayRow) -> Sequence[Equation]:
-    """The equations of one line."""
+    """All equations that stand side by side in one line."""
     return row.equation, *row.beside
 
 

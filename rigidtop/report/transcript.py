@@ -260,7 +260,7 @@ class _Transcript:
         return self.at + 1 < len(self.items) and self.items[self.at + 1].text.isdigit()
 
     def bracketed(self) -> str:
-        """From a bracket to the one that closes it, which an exponent raises together."""
+        """The MathML from a bracket to the one that closes it; an exponent raises it as one."""
         begun = self.at - 1
         self.at = self.closings[begun] + 1
         shape = "".join(_SIGNS[self.items[k].text] for k in (begun, self.at - 1))
@@ -276,7 +276,7 @@ class _Transcript:
         return f"<mi{style}>{escape(character)}</mi>"
 
     def fence(self, _: str) -> str:
-        """From \\left to its \\right, with brackets as high as what is inside."""
+        """The MathML from \\left to its \\right, with brackets as high as what is inside."""
         opens, depth, begun = self.bracket(), 1, self.at
         while depth:
             depth += {r"\left": 1, r"\right": -1}.get(self.next().text, 0)

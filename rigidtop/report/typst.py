@@ -85,7 +85,7 @@ def _preamble(document: b.Document) -> str:
 
 
 def _style() -> str:
-    """What every document begins with."""
+    """The Typst with which every document begins."""
     made = files("rigidtop.report").joinpath("styles", "document.typ").read_text("utf-8")
     colors = (f'"{verdict}": rgb("#{light}")' for verdict, (light, _) in b.COLORS.items())
     return made.replace("@COLORS@", ", ".join(colors))
@@ -186,7 +186,7 @@ def _note(mark: b.MarginMark | None) -> str:
 
 @singledispatch
 def typst_block(block: b.Block) -> str:
-    """A block as Typst."""
+    """A block of a document, as Typst."""
     raise TypeError(f"no Typst for {type(block).__name__}")
 
 

@@ -103,7 +103,7 @@ def text_blocks(
             rows.clear()
 
     def place(words: Sequence[b.Piece]) -> None:
-        """The figures that were spoken of."""
+        """Put here the figures of which these words speak."""
         for name in cited_figures(words):
             if name in figures and name not in placed:
                 placed.add(name)

@@ -85,17 +85,17 @@ class Balanced:
         )
 
     def by_place(self, x: Expr) -> Value:
-        """∂L/∂q of a coordinate."""
+        """The derivative ∂L/∂q by a coordinate."""
         return self.graph.derivative(self.lagrangian, Direction({x: ONE}))
 
     def gradients(self, values: Iterable[Value], letters: Iterable[Expr]) -> list[list[Value]]:
-        """Of each value its derivatives by letters."""
+        """The derivatives of each value by the letters, a row for each value."""
         directions = [Direction({x: ONE}) for x in letters]
         return [[self.graph.derivative(x, along) for along in directions] for x in values]
 
     @property
     def leaves(self) -> list[Expr]:
-        """The letters that enter."""
+        """The letters that occur in L, the forces or the masses."""
         values = (self.lagrangian, *self.force, *(x for row in self.mass for x in row))
         nodes = (self.graph.nodes[k] for k in self.graph.below(values))
         return [node.expression for node in nodes if isinstance(node, Leaf)]
@@ -122,11 +122,11 @@ class Balance(Directions):
     # --- the two ways -----------------------------------------------------------------------------
 
     def of_parts(self) -> Balanced:
-        """By d'Alembert's principle for the parts, and by Lagrange for the rest of L."""
+        """The balance by d'Alembert's principle for the parts, by Lagrange for the rest of L."""
         return self.balanced(self.system.names.plain(self.system.rest), self.system.parts)
 
     def of_lagrangian(self) -> Balanced:
-        """By Lagrange for all of L."""
+        """The balance by Lagrange's equations for all of L."""
         return self.balanced(self.system.plain, ())
 
     def balanced(self, given: Expr, parts: Sequence[Part]) -> Balanced:
@@ -194,7 +194,7 @@ class Balance(Directions):
         )
 
     def push(self, row: MovingComponent) -> Value:
-        """I w, the momentum of a component."""
+        """The momentum I w of a component."""
         return self.graph.product([row.inertia, row.rate])
 
     def energy(self, rows: Iterable[MovingComponent], left: Value, pushes: Column) -> Value:
@@ -208,7 +208,7 @@ class Balance(Directions):
         return graph.total(terms)
 
     def along(self, column: Column) -> Value:
-        """The product of a column with q̇."""
+        """The scalar product of a column with q̇."""
         return self.graph.total(map(self.graph.product, zip(column, self.velocities, strict=True)))
 
     def power(self, lagrangian: Value, A: Sequence[Column], speeds: Column) -> Value:
@@ -223,7 +223,7 @@ class Balance(Directions):
 
     @cached_property
     def acting(self) -> list[Value]:
-        """Q − ∂ℱ/∂q̇."""
+        """The forces Q − ∂ℱ/∂q̇ on the n coordinates."""
         names = self.system.names
         dissipation = self.graph.expression(names.plain(self.system.rayleigh))
         lost = self.slopes(dissipation, self.along_velocities)
@@ -243,7 +243,7 @@ class Balance(Directions):
         return rules, rows, [self.less(self.rate(value)) for value in speeds], speeds
 
     def frames(self) -> Iterator[Value]:
-        """Of each mass and body the place (3), then the attitude row by row (9), in space."""
+        """The place (3) of each mass and body, then its attitude row by row (9), in space."""
         plain, value = self.system.names.plain, self.graph.expression
         for part in self.system.parts:
             if isinstance(part, Tree):
@@ -256,7 +256,7 @@ class Balance(Directions):
     # --- squares ---------------------------------------------------------------------------------
 
     def moves(self, value: Value) -> bool:
-        """Whether a value has velocities."""
+        """Whether a value depends on velocities."""
         return any(x != ZERO for x in self.slopes(value, self.along_velocities))
 
     def squares(self, value: Value) -> tuple[list[tuple[Value, Value]], Value]:
@@ -315,7 +315,7 @@ class Balance(Directions):
     # --- masses and bodies ------------------------------------------------------------------------
 
     def rows(self, part: Mass | Body) -> Iterator[MovingComponent]:
-        """Of the centre of mass, and of the turning about it."""
+        """The components of a part: of its centre of mass, and of the turning about it."""
         graph, names = self.graph, self.system.names
         mass = graph.expression(names.plain(part.mass))
         if mass != ZERO:

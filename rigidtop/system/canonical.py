@@ -23,7 +23,7 @@ class Canonical(Derived):
 
     @cached_property
     def _velocities(self) -> dict[Expr, Expr]:
-        """q̇(q, p)."""
+        """Each velocity q̇ as a function of q and p, in plain symbols."""
         names = self.names
         still = dict.fromkeys(names.v, Integer(0))
         try:
@@ -52,7 +52,7 @@ class Canonical(Derived):
 
     @cached_property
     def reduced_hamiltonian(self) -> Expr:
-        """H(q, p, t), plain."""
+        """The Hamiltonian H(q, p, t), in plain symbols."""
         names = self.names
         if self._balance[0].has(*names.v):
             turned = sympy.Add(*(p * v for p, v in zip(names.p, names.v, strict=True)))

@@ -24,7 +24,7 @@ STATES = 20
 
 
 def certify(system: Computed, parameters: Mapping[Expr, object], seed: int = 0) -> dict[str, float]:
-    """See `System.certify`."""
+    """The largest differences between independent ways: see `System.certify`."""
     values = [float(x) for x in numbers(system.parameters, parameters).values()]
     n = len(system.q)
     rng = np.random.default_rng(checks.whole("seed", seed, 0))

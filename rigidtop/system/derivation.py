@@ -58,7 +58,7 @@ class Derivation:
 
     @cached_property
     def judged(self) -> tuple[Judged, ...]:
-        """What becomes of each line."""
+        """Each line with what the judge says of it, in order."""
         return tuple(self.lecture.judged(id) for id in self.lecture.lines)
 
     @property
@@ -82,7 +82,7 @@ class Derivation:
 
     @cached_property
     def blocks(self) -> list[Written]:
-        """As documents are made of."""
+        """The blocks from which documents are made."""
         [page] = self.lecture.texts
         # SymPy has put the equations together: they are ordered as mechanics has it.
         return [
@@ -96,11 +96,11 @@ class Derivation:
         return plain.fragment(self.blocks)
 
     def latex(self) -> str:
-        """For a document that has amsmath."""
+        """The derivation in LaTeX, for a document that loads amsmath."""
         return tex.fragment(self.blocks)
 
     def html(self) -> str:
-        """With MathML."""
+        """The derivation in HTML, its formulas in MathML."""
         return "\n".join(map(html.html_block, self.blocks))
 
     def markdown(self) -> str:
@@ -131,7 +131,7 @@ class Derivation:
 
 
 def derivation(system: Derived, section: str = "") -> Derivation:
-    """See `System.derivation`."""
+    """The derivation of a system's equations: see `System.derivation`."""
     for x in own_functions([system.plain, *system.rules, *system.generalised_forces]):
         raise RigidtopError(f"L has the function {x}: put in what it is before you derive")
     writer = _Writer(system, section)
@@ -173,7 +173,7 @@ class _Writer:
         )
 
     def write(self) -> None:
-        """All of it."""
+        """Write the whole derivation into `blocks`."""
         system, names = self.system, self.system.names
         letters = _between([self.own(x) for x in names.q])
         self.heading("The equations of motion for ", *letters, level=1)
@@ -205,7 +205,7 @@ class _Writer:
     # --- lines ------------------------------------------------------------------------------------
 
     def own(self, value: Expr) -> Expr:
-        """In the letters that are shown."""
+        """An expression in the letters in which the derivation shows it."""
         return value.xreplace(self.shown)
 
     def tag(self, number: str) -> str:
@@ -233,7 +233,7 @@ class _Writer:
         called: str = "",
         source: str = "",
     ) -> Known:
-        """A line with its sentence."""
+        """Write a line with its sentence; returns what later lines may cite."""
         spoken, at = (*words, ":"), len(self.blocks) + 1
         made = (equations,) if isinstance(equations, Equation) else tuple(equations)
         line = Line(
@@ -393,12 +393,12 @@ def _listed(words: Sequence[str]) -> str:
 
 
 def _between(letters: Sequence[Expr]) -> list[Any]:
-    """x, y and z."""
+    """Letters as a list in words: "x, y and z"."""
     return _more(letters)[1:]
 
 
 def _more(letters: Sequence[Expr]) -> list[Any]:
-    """…, x, y and z."""
+    """The same with a comma or "and" before each: ", x, y and z"."""
     made: list[Expr | str] = []
     for k, x in enumerate(letters):
         made += [" and " if k == len(letters) - 1 else ", ", x]

@@ -141,12 +141,12 @@ class Derived:
         return self.friction.expressions if self.friction else {}
 
     def __getstate__(self) -> dict[str, Any]:
-        """Without what was computed: functions that are made cannot be pickled."""
+        """The state without what was computed: functions that are made cannot be pickled."""
         return {each.name: getattr(self, each.name) for each in fields(self)}
 
     @cached_property
     def L(self) -> Expr:
-        """The Lagrangian."""
+        """The Lagrangian in the names that were given, with that of its parts."""
         if not self.parts:
             return self.rest
         hanging = (part.potential for part in self.parts if isinstance(part, Assembly))
@@ -157,17 +157,17 @@ class Derived:
 
     @cached_property
     def plain(self) -> Expr:
-        """L in plain symbols."""
+        """The Lagrangian in plain symbols, not functions."""
         return self.names.plain(self.L)
 
     @cached_property
     def rules(self) -> tuple[Expr, ...]:
-        """The constraints, plain: what vanishes."""
+        """The left sides of the constraints, which vanish, in plain symbols."""
         return tuple(map(self.names.plain, self.constraints))
 
     @cached_property
     def holonomic(self) -> tuple[bool, ...]:
-        """Of each constraint whether it is one of coordinates and time alone."""
+        """For each constraint whether it is one of coordinates and time alone."""
         return tuple(not rule.has(*self.names.v) for rule in self.rules)
 
     @cached_property
@@ -186,14 +186,14 @@ class Derived:
 
     @cached_property
     def generalised_forces(self) -> tuple[Expr, ...]:
-        """Q − ∂ℱ/∂q̇, plain."""
+        """The forces Q − ∂ℱ/∂q̇ (n), in plain symbols."""
         given = map(self.names.plain, self.forces)
         dissipation = self.names.plain(self.rayleigh)
         return tuple(Q - dissipation.diff(v) for Q, v in zip(given, self.names.v, strict=True))
 
     @cached_property
     def conjugate(self) -> tuple[Expr, ...]:
-        """∂L/∂q̇, plain."""
+        """The momenta ∂L/∂q̇ (n), in plain symbols."""
         return tuple(self.plain.diff(v) for v in self.names.v)
 
     @cached_property
@@ -272,7 +272,7 @@ class Derived:
         return straight_line(self.balanced.graph, values, self.free())
 
     def with_constraints(self, mass: Matrix, force: list[Expr]) -> tuple[Matrix, list[Expr]]:
-        """With a row for each constraint, derived by time until it has accelerations."""
+        """Mass and force with a row for each constraint, derived until it has accelerations."""
         if not self.constraints:
             return mass, force
         names, n = self.names, len(force)
@@ -370,12 +370,12 @@ class Derived:
 
     @cached_property
     def mass_matrix(self) -> Matrix:
-        """∂²L/∂q̇∂q̇ (n×n)."""
+        """The symmetric mass matrix ∂²L/∂q̇∂q̇ (n×n)."""
         return self.names.back(self._balance[0].applyfunc(short))
 
     @cached_property
     def momenta(self) -> Matrix:
-        """p = ∂L/∂q̇ (n×1)."""
+        """The momenta p = ∂L/∂q̇ (n×1)."""
         return self.names.back(Matrix([sympy.factor_terms(p) for p in self.conjugate]))
 
     @property
@@ -390,7 +390,7 @@ class Derived:
 
     @cached_property
     def jacobi(self) -> Expr:
-        """Jacobi's integral, plain."""
+        """Jacobi's integral q̇·∂L/∂q̇ − L, in plain symbols."""
         turned = sympy.Add(*(p * v for p, v in zip(self.conjugate, self.names.v, strict=True)))
         return expanded(turned - self.plain)
 
@@ -428,7 +428,7 @@ class Derived:
 
     @cached_property
     def work_rate(self) -> Expr:
-        """The rate of Jacobi's integral, plain."""
+        """The rate of change of Jacobi's integral, in plain symbols."""
         work = [Q * v for Q, v in zip(self.generalised_forces, self.names.v, strict=True)]
         b = [self.rolling[i, len(self.q)] for i in range(self.rolling.rows)]
         work += [-x * y for x, y in zip(self.multipliers, b, strict=True)]
@@ -451,13 +451,13 @@ class Derived:
 
     @cached_property
     def constant(self) -> dict[str, Expr]:
-        """What is conserved, plain."""
+        """The conserved quantities by name, in plain symbols."""
         return self.of_constants(lambda: self.jacobi, lambda: self.conjugate)
 
     def of_constants(
         self, energy: Callable[[], Quantity], momenta: Callable[[], Sequence[Quantity]]
     ) -> dict[str, Quantity]:
-        """Of the energy and the momenta those that are conserved, by their names."""
+        """Those of the energy and the momenta that are conserved, by their names."""
         constant = {"energy": energy()} if self.is_conservative else {}
         if self.cyclic:
             named = zip(self.q, momenta(), self.names.p, strict=True)
@@ -465,7 +465,7 @@ class Derived:
         return constant
 
     def quantity(self, quantity: Expr) -> Expr:
-        """With the momenta's letters, if there are any, written out."""
+        """The quantity with the momenta's letters, if there are any, written out."""
         values = dict(zip(self.names.p, self.conjugate, strict=True))
         return self._own(quantity).xreplace(values)
 

@@ -50,7 +50,7 @@ class Directions:
 
     @cached_property
     def velocities(self) -> list[Value]:
-        """q̇."""
+        """The velocities q̇ as values of the graph."""
         return [self.graph.expression(v) for v in self.system.names.v]
 
     @cached_property
@@ -61,24 +61,24 @@ class Directions:
 
     @cached_property
     def along_places(self) -> list[Direction]:
-        """∂/∂q."""
+        """The directions of ∂/∂q, one for each coordinate."""
         return [Direction({x: ONE}) for x in self.system.names.q]
 
     @cached_property
     def along_velocities(self) -> list[Direction]:
-        """∂/∂q̇."""
+        """The directions of ∂/∂q̇, one for each velocity."""
         return [Direction({v: ONE}) for v in self.system.names.v]
 
     def rate(self, value: Value) -> Value:
-        """d/dt, where q̈ = 0."""
+        """The rate d/dt of a value, with all accelerations q̈ = 0."""
         return self.graph.derivative(value, self.motion)
 
     def slopes(self, value: Value, directions: Sequence[Direction]) -> list[Value]:
-        """A derivative for each direction."""
+        """The derivatives of a value along the directions, one for each."""
         return [self.graph.derivative(value, each) for each in directions]
 
     def less(self, value: Value) -> Value:
-        """−x."""
+        """The value with the opposite sign."""
         return self.graph.product([MINUS, value])
 
     def gyration(

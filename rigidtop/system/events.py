@@ -61,15 +61,15 @@ class Zeros:
     rising: NDArray[np.bool_]
 
     def only(self, chosen: NDArray[np.bool_]) -> Zeros:
-        """Those that are chosen."""
+        """The zeros for which `chosen` (N,) is true."""
         return Zeros(self.times[chosen], self.states[:, chosen], self.rising[chosen])
 
     def towards(self, direction: int) -> Zeros:
-        """Those at which it goes in a direction; all for 0."""
+        """The zeros at which the quantity goes in a direction; all for 0."""
         return self.only(self.rising == (direction > 0)) if direction else self
 
     def within(self, first: float, last: float) -> Zeros:
-        """Those from the first to the last of two times."""
+        """The zeros from the first to the last of two times."""
         return self.only((self.times >= first) & (self.times <= last))
 
 
@@ -127,7 +127,7 @@ def _looks(of: Callable[[Floats], Floats], steps: Floats) -> tuple[Floats, Float
 
 
 def _dips(of: Callable[[Floats], Floats], t: Floats, x: Floats) -> tuple[Floats, Floats]:
-    """With the places between at which it may go through zero and back.
+    """Times and values, with those between at which it may go through zero and back.
 
     Between two zeros near each other, of three values with one sign the middle one is the least.
     """

@@ -39,7 +39,7 @@ WHOLE = 4
 
 
 class SystemFit(Fit[SystemMotion]):
-    """Of a system: the parameters that were asked for, and the start where it was not given."""
+    """The fit of a system: the parameters asked for, and the start where it was not given."""
 
     @property
     def parameters(self) -> dict[Expr, float]:
@@ -119,7 +119,7 @@ class SystemModel(FitModel[SystemMotion]):
 
     @cached_property
     def _slopes(self) -> Function:
-        """By q, q̇ and the free letters, of each of the quantities, (m (2n + k))."""
+        """The derivatives of each quantity by q, q̇ and the free letters, (m (2n + k))."""
         names = self.system.names
         own = [x for x in self.ranges if x in self.system.parameters]
         letters = [*names.q, *names.v, *own]
@@ -141,7 +141,7 @@ class SystemModel(FitModel[SystemMotion]):
         return made
 
     def slopes(self, parameters: Floats, rows: Any, weights: Floats) -> Floats:
-        """By the variational equations; zeros where there is no motion."""
+        """The derivatives by the variational equations; zeros where there is no motion."""
         times, free = self.t[rows], [*self.ranges]
         try:
             motion = self.motion(parameters)
@@ -172,7 +172,7 @@ class SystemModel(FitModel[SystemMotion]):
         return {spelled(x): parameters[:, k] for k, x in enumerate(self.ranges)}
 
     def still(self) -> Floats:
-        """Of a mean value, of which the size of what was measured is taken at first."""
+        """The residuals of a mean value, which set the size of the noise at first."""
         away = self.data - self.data.mean(axis=0)
         return np.where(np.ptp(self.data, axis=0) > 0, away, self.data)
 
@@ -239,7 +239,7 @@ def fitted(
     starts: int,
     how: Mapping[str, Any],
 ) -> SystemFit:
-    """See `System.fit`."""
+    """The parameters that fit measured columns best: see `System.fit`."""
     times = checks.times(t)
     if np.any(np.diff(times) <= 0):
         raise RigidtopError("t must increase from row to row")
@@ -336,7 +336,7 @@ def _ranges(
 
 
 def _range(name: str, given: object) -> Range:
-    """Of a number, or of a pair of numbers."""
+    """The range that is given as a number, or as a pair of numbers."""
     if isinstance(given, (tuple, list)):
         ends = [checks.number(name, x) for x in given]
         if len(ends) != 2 or ends[0] >= ends[1]:

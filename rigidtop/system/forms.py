@@ -53,7 +53,7 @@ def grouped(value: Expr, velocities: Sequence[Symbol]) -> Expr:
 
 
 def readable(value: Expr) -> Expr:
-    """In lowest terms, as far as that is quick; the same value in any case."""
+    """The value in lowest terms, as far as that is quick; it is the same in any case."""
     if value.count_ops() > PRINTED:
         return value
     return min((value, reduce_ratio(value), short(value)), key=lambda form: form.count_ops())

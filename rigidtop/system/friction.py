@@ -55,14 +55,14 @@ class DryFriction:
         return {f"{name} of a DryFriction": value for name, value in vars(self).items()}
 
     def velocity(self, names: PlainSymbols) -> Expr:
-        """w, plain."""
+        """The velocity w with which it slides, in plain symbols."""
         of: Expr = names.plain(self.of)
         if of.has(*names.v):
             return of
         return names.rate(of, dict(zip(names.q, names.v, strict=True)))
 
     def on_coordinates(self, names: PlainSymbols, sign: Expr | None = None) -> tuple[Expr, ...]:
-        """Its generalised forces while it slides with a sign, or with that of w; plain."""
+        """The generalised forces while it slides with a sign, or with that of w, plain."""
         w = self.velocity(names)
         size = names.plain(self.mu * self.normal)
         return tuple(-size * (sign or sympy.sign(w)) * w.diff(v) for v in names.v)

@@ -80,7 +80,7 @@ class Linear:
 def linearise(
     system: Derived, at: Mapping[Expr, object], inputs: Given = ()
 ) -> tuple[Matrix, Matrix]:
-    """See `System.linearise`."""
+    """The matrices A and B at a state: see `System.linearise`."""
     letters = _inputs(system, inputs)
     place = place_of(system, at, (*letters, *system.parameters))
     near = linear(system, {**dict.fromkeys(letters, sympy.S.Zero), **place}, letters)

@@ -55,7 +55,7 @@ class Link:
 
     @property
     def expressions(self) -> tuple[Expr, ...]:
-        """All that it is given."""
+        """All expressions that it is given."""
         return (self.mass, *self.centre, *self.inertia)
 
 
@@ -127,7 +127,7 @@ class Joint:
 
     @property
     def expressions(self) -> tuple[Expr, ...]:
-        """All that it is given."""
+        """All expressions that it is given."""
         return (*self.axis, *self.place, *self.attitude, self.motion)
 
     @property
@@ -182,7 +182,7 @@ class Linkage:
 
     @property
     def root(self) -> Link:
-        """The link that rests."""
+        """The link that no joint moves."""
         moved = {joint.child for joint in self.joints}
         return next(link for link in self.links if link.name not in moved)
 

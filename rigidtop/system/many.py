@@ -30,7 +30,7 @@ Together = Callable[[NDArray[np.intp], Floats, Accuracy], Floats]
 
 
 def many(system: Computed, parameters: Given, q: Given, qdot: Given) -> SystemMotions:
-    """See `System.motions`."""
+    """Motions from many starts at once: see `System.motions`."""
     refuse(system.friction, "motions(…)", "take motion(…) for one start after the other")
     parameters = mapping("parameters are given as {symbol: number}", parameters)
     given = [*parameters.items(), *row(system, "q", q).items(), *row(system, "qdot", qdot).items()]
@@ -213,7 +213,7 @@ class SystemMotions(Sequence[SystemMotion]):
         return self._settled(times, start, states)
 
     def _settled(self, times: Floats, start: Floats, states: Callable[[Floats], Floats]) -> Floats:
-        """On both sides of t = 0, q and q̇ at `times`; NaN where a finer tolerance is wanted."""
+        """The q and q̇ at `times`, of either sign; NaN where a finer tolerance is wanted."""
         found = np.empty((len(times), *start.shape))
         for rows, ordered in sides(times):
             found[rows] = states(ordered)

@@ -67,7 +67,7 @@ class Mechanism(Linkage):
         V: Given = 0,
         rayleigh: Given = 0,
     ) -> System:
-        """Its equations: a `rigidtop.System` in the coordinates `q`.
+        """The equations of motion, as a `rigidtop.System` in the coordinates `q`.
 
         `gravity` is g as a vector in space (m/s²), and `forces` are torques (N m) or forces (N) by
         the name of the joint in which they act, or by coordinate.  The others are as in

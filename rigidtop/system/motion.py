@@ -40,7 +40,7 @@ UNTIL = ""
 def started(
     system: Computed, parameters: Mapping[Expr, object] | None, q: Given, qdot: Given
 ) -> SystemMotion:
-    """See `System.motion`."""
+    """The motion from a start: see `System.motion`."""
     values = numbers(system.parameters, parameters).values()
     places, rates = (
         tuple(checks.number(x.name, value) for x, value in row(system, what, given).items())
@@ -287,7 +287,7 @@ class SystemMotion(SystemStart):
     def _taylor(
         self, start: Floats, unit: Floats, held: Held | None, end: float, rtol: float
     ) -> Flow:
-        """By heyoka's Taylor series, of the state in `unit`s: below 1 its tolerance is absolute."""
+        """The flow by heyoka's Taylor series, in `unit`s: below 1 its tolerance is absolute."""
         values = with_units(self.system, unit, np.array(self.parameters))
         with self.system.numeric.series(rtol) as integrator:
             integrator.pars[:] = values[: len(integrator.pars)]

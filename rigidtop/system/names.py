@@ -64,7 +64,7 @@ class PlainSymbols:
 
     @property
     def rates(self) -> dict[Expr, Expr]:
-        """Which symbol is whose rate."""
+        """The rate of each symbol: q̇ for q, q̈ for q̇."""
         return dict(zip((*self.q, *self.v), (*self.v, *self.a), strict=True))
 
     def rate(self, value: ExprOrMatrix, rates: Mapping[Expr, Expr]) -> ExprOrMatrix:
@@ -230,7 +230,7 @@ def _momentum(x: Symbol, free: _Free) -> Symbol:
 
 
 def multipliers(count: int, taken: Iterable[Symbol]) -> tuple[Symbol, ...]:
-    """λ₁, λ₂, … of constraints."""
+    """Symbols λ₁, λ₂, … for the multipliers of constraints, none of them `taken`."""
     free = _Free({x.name for x in taken})
     made = []
     for k in range(count):

@@ -94,7 +94,7 @@ class Numeric:
 
     @cached_property
     def solved(self) -> Function:
-        """q̈ and −λ."""
+        """The function that gives q̈ and −λ at a state."""
         return self._function(self.system.program.results, "solved")
 
     @cached_property
@@ -142,12 +142,12 @@ class Numeric:
 
     @cached_property
     def energy(self) -> Function:
-        """Jacobi's integral."""
+        """The function that gives Jacobi's integral at a state."""
         return self.on_graph([self.system.balanced.energy], "energy")
 
     @cached_property
     def momenta(self) -> Function:
-        """p."""
+        """The function that gives the n momenta p at a state."""
         return self.on_graph(self.system.balanced.momenta, "momenta")
 
     @cached_property
@@ -163,12 +163,12 @@ class Numeric:
 
     @cached_property
     def watch(self) -> Function:
-        """Of each of the `watched` the value, and behind it the size of its terms."""
+        """The function that gives each of the `watched`, and behind it the size of its terms."""
         return self.on_graph(self.with_sizes(self.watched.values()), "watch")
 
     @cached_property
     def holding(self) -> Function:
-        """Of the constraints, then of their rates, the values, each with the size of its terms."""
+        """The function that gives the constraints, then their rates, each with its terms' size."""
         sides = self.system.balanced
         return self.on_graph(self.with_sizes([*sides.rules, *sides.speeds]), "holding")
 
@@ -182,7 +182,7 @@ class Numeric:
 
     @cached_property
     def friction(self) -> Function:
-        """Of dry friction w, the sum of the magnitudes of its terms, N, μN and μₛN."""
+        """The function that gives w, the sum of the magnitudes of its terms, N, μN and μₛN."""
         names, friction = self.system.names, self.system.friction
         assert friction is not None
         w = friction.velocity(names)
@@ -192,7 +192,7 @@ class Numeric:
 
     @cached_property
     def frames(self) -> Function:
-        """Of each mass and body the place (3), then the attitude row by row (9)."""
+        """The function of the place (3) and attitude (9, by rows) of each mass and body."""
         balance = Balance(self.system, self.system.balanced.graph)
         return self.on_graph(list(balance.frames()), "frames")
 
@@ -401,7 +401,7 @@ class Computed(Canonical):
 
     @cached_property
     def numeric(self) -> Numeric:
-        """Functions of numbers."""
+        """The functions of numbers that are compiled from the system."""
         return Numeric(self)
 
     @cached_property

@@ -41,7 +41,7 @@ class Mass:
 
     @property
     def expressions(self) -> tuple[Expr, ...]:
-        """All that it is given."""
+        """All expressions that it is given."""
         return (self.mass, *self.place)
 
 
@@ -71,7 +71,7 @@ class Body:
 
     @property
     def expressions(self) -> tuple[Expr, ...]:
-        """All that it is given."""
+        """All expressions that it is given."""
         return (self.mass, *self.inertia, *self.place, *self.attitude)
 
 
@@ -81,17 +81,17 @@ class Assembly(ABC):
     @property
     @abstractmethod
     def expressions(self) -> tuple[Expr, ...]:
-        """All that it is given."""
+        """All expressions that its parts are given."""
 
     @property
     @abstractmethod
     def bodies(self) -> tuple[Body, ...]:
-        """Those that have mass or inertia."""
+        """The parts that have mass or inertia."""
 
     @property
     @abstractmethod
     def potential(self) -> Expr:
-        """Its potential energy."""
+        """The potential energy of its parts."""
 
 
 Part = Mass | Body | Assembly
@@ -115,7 +115,7 @@ def checked_attitude(given: Given) -> MatrixBase:
 
 
 def checked_inertia(given: Given) -> MatrixBase:
-    """The tensor (3×3)."""
+    """A tensor of inertia (3×3) from principal moments or from rows."""
     rows = given.tolist() if isinstance(given, MatrixBase) else several(given)
     if len(rows) != 3:
         raise RigidtopError(f"a body has three principal moments, not {len(rows)}")
@@ -130,7 +130,7 @@ def checked_inertia(given: Given) -> MatrixBase:
 
 
 def checked_place(given: Given) -> MatrixBase:
-    """Three components."""
+    """The three components of a place; the third is 0 if two are given."""
     row = several(given)
     if len(row) not in (2, 3):
         raise RigidtopError(f"a place has two or three components, not {len(row)}")

@@ -50,19 +50,19 @@ class Vectors:
     graph: Graph
 
     def plus(self, *vectors: Vector) -> Vector:
-        """The sum."""
+        """The sum of two or more vectors."""
         return [self.graph.total(row) for row in zip(*vectors, strict=True)]
 
     def times(self, factor: Value, vector: Vector) -> Vector:
-        """A multiple."""
+        """The vector multiplied by a factor."""
         return [self.graph.product([factor, x]) for x in vector]
 
     def dot(self, one: Vector, other: Vector) -> Value:
-        """The scalar product."""
+        """The scalar product of two vectors."""
         return self.graph.total(map(self.graph.product, zip(one, other, strict=True)))
 
     def cross(self, one: Vector, other: Vector) -> Vector:
-        """The vector product."""
+        """The vector product of two vectors."""
         product, difference = self.graph.product, self.graph.difference
         return [
             difference(product([one[i], other[j]]), product([one[j], other[i]]))
@@ -70,7 +70,7 @@ class Vectors:
         ]
 
     def of(self, rows: Sequence[Vector], vector: Vector) -> Vector:
-        """A matrix times a vector."""
+        """The product of a matrix, row by row, and a vector."""
         return [self.dot(row, vector) for row in rows]
 
     def steiner(self, mass: Value, arm: Vector, moment: Vector) -> Sequence[Vector]:
@@ -149,12 +149,12 @@ class Recursion:
 
     @cached_property
     def joints(self) -> tuple[Joint, ...]:
-        """Those from the root outward."""
+        """The joints, in order from the root outward."""
         return self.tree.linkage.outward
 
     @cached_property
     def moving(self) -> list[Joint]:
-        """Those that are not fixed."""
+        """The joints that are not fixed, from the root outward."""
         return [joint for joint in self.joints if joint.kind != FIXED]
 
     @cached_property
@@ -266,7 +266,7 @@ class Recursion:
         return made
 
     def _turned(self, hinge: Hinge, inertia: Sequence[Vector]) -> list[Vector]:
-        """R I Rᵀ."""
+        """The tensor of inertia R I Rᵀ in the axes further in."""
         columns = [hinge.inward(row) for row in inertia]
         return [hinge.inward(row) for row in zip(*columns, strict=True)]
 
@@ -328,7 +328,7 @@ class Recursion:
         )
 
     def frames(self) -> Iterator[tuple[Vector, Sequence[Vector]]]:
-        """Of each link with mass or inertia the place of its centre and its attitude, in space."""
+        """The place and attitude in space of the centre of each link with mass or inertia."""
         own, linkage = self.vectors, self.tree.linkage
         still = self._matrix(sympy.eye(3))
         made: dict[str, tuple[Vector, list[Vector]]]

@@ -115,7 +115,7 @@ class Sensitivities(Rows):
 
 
 def sensitivities(motion: SystemStart, t: ArrayLike, by: Given, how: Accuracy) -> Sensitivities:
-    """See `SystemMotion.sensitivities`."""
+    """The derivatives of a motion: see `SystemMotion.sensitivities`."""
     times = checks.times(t)
     letters = letters_of(motion.system, by)
     check_smooth(motion.system, letters)
@@ -198,7 +198,7 @@ class Variation:
         return self.motion.system.numeric.slopes(self.letters).scalar
 
     def flow(self, end: float, how: Accuracy) -> Flow:
-        """From t = 0 to `end`."""
+        """The flow from t = 0 to `end`."""
         held: Held | None = None
         own: Sizes = self.sizes
         unit = own(self.start)
@@ -214,7 +214,7 @@ class Variation:
         return at_its_size(run, own, self.start, least_size(self.motion.system, how))
 
     def _taylor(self, unit: Floats, end: float, rtol: float) -> Flow:
-        """By heyoka's Taylor series, of the state in `unit`s."""
+        """The flow by heyoka's Taylor series, in `unit`s."""
         held = self._held if self.motion.system.constraints else None
         own = unit[[0, len(self.motion.q)]]
         values = [*own, *(1 / own), *self.scales, *self.motion.parameters]
@@ -254,7 +254,7 @@ def letter_of(system: Computed, given: Given) -> Symbol:
 
 
 def letters_of(system: Computed, by: Given) -> tuple[Symbol, ...]:
-    """Those of a row, or of one.  Raises RigidtopError."""
+    """The letters that are asked for, in a row or one alone.  Raises RigidtopError."""
     letters = tuple(letter_of(system, each) for each in several(by))
     if not letters:
         raise RigidtopError("derivatives by what? by = a row of parameters and coordinates")

@@ -86,7 +86,7 @@ class Slipping:
         return made
 
     def flow(self, run: Run, start: Floats, end: float, accuracy: Accuracy, unit: Floats) -> Flow:
-        """From t = 0 to `end`, with tolerances that are fractions of `unit`."""
+        """The flow from t = 0 to `end`, with tolerances that are fractions of `unit`."""
         if end < 0:
             raise RigidtopError(
                 "dry friction does not tell where a motion came from: give times t ≥ 0"

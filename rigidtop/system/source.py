@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def source(system: Derived, language: str, name: str) -> str:
-    """See `System.source`."""
+    """The source text of q̈ in a language: see `System.source`."""
     refuse(system.friction, "a source file", "a program of one's own has to switch as it lets go")
     if language not in tuple(languages.LANGUAGES):
         there = ", ".join(languages.LANGUAGES)

@@ -130,7 +130,7 @@ class Small:
         return "undecided"
 
     def _at(self, parameters: Mapping[Expr, object]) -> dict[Expr, Expr]:
-        """Numbers for all letters."""
+        """The values of all letters, for these parameters."""
         sides = (self.mass, self.damping, self.stiffness, *self.about.values())
         letters = {*self.system.parameters}.union(*(x.free_symbols for x in sides))
         values = numbers(sorted(letters, key=str), parameters)
@@ -141,7 +141,7 @@ class Small:
         return values
 
     def _sides(self, values: Mapping[Expr, Expr]) -> Iterator[matrix]:
-        """M, C and K as numbers."""
+        """The matrices M, C and K as numbers."""
         for side in (self.mass, self.damping, self.stiffness):
             number = side.xreplace(values).evalf(DIGITS)
             if not all(x.is_real for x in number):
@@ -201,7 +201,7 @@ def balance(system: Derived, rates: Sequence[Symbol] = ()) -> Matrix:
 
 
 def equilibria(system: Derived) -> tuple[dict[Expr, Expr], ...]:
-    """See `System.equilibria`."""
+    """The places at which the system can rest: see `System.equilibria`."""
     _of_places(system)
     names = system.names
     conditions = [x for x in (*balance(system), *system.rules) if x != 0]
@@ -231,7 +231,7 @@ def equilibria(system: Derived) -> tuple[dict[Expr, Expr], ...]:
 def _turned(
     found: Sequence[Mapping[Expr, Expr]], conditions: Sequence[Expr]
 ) -> list[dict[Expr, Expr]]:
-    """With what SymPy loses of sin 3θ = 0, a third of a turn further; each place once a turn."""
+    """The places with those that SymPy loses of sin 3θ = 0, each place once a turn."""
     made: list[dict[Expr, Expr]] = []
     for place in found:
         rates = {x: _rate(x, conditions) for x in place}
@@ -262,7 +262,7 @@ def _is_among(place: Mapping[Expr, Expr], found: Mapping[Expr, Expr]) -> bool:
 
 
 def small(system: Derived, about: Mapping[Expr, object]) -> Small:
-    """See `System.small`."""
+    """Small motions about an equilibrium: see `System.small`."""
     _of_places(system)
     near = linear(system, place_of(system, about))
     N, back = near.rates, system.names.back

@@ -75,7 +75,7 @@ class System(Computed):
         gravity: Given = None,
         **more: Any,
     ) -> System:
-        """From masses and bodies, with their places and attitudes as functions of q and t.
+        """The system of masses and bodies, with places and attitudes as functions of q and t.
 
         A part may be a `Mechanism` too, in coordinates of which its own are some.
         `gravity` is g as a vector of 2 or 3 components, `V` what potential energy there is besides;

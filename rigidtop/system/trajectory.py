@@ -56,7 +56,7 @@ class SystemTrajectory(Rows):
 
     @property
     def events(self) -> dict[str, Floats]:
-        """The times of the `crossings`."""
+        """The times of the `crossings`, by their names (s)."""
         return {name: section.t for name, section in self.crossings.items()}
 
     def columns(self) -> dict[str, Floats]:
@@ -69,7 +69,7 @@ class SystemTrajectory(Rows):
 
     @property
     def plotted(self) -> tuple[str | tuple[str, str], ...]:
-        """The coordinates."""
+        """The names of the columns that `plot` draws: the coordinates."""
         return tuple(x.name for x in self._system.names.q)
 
     def places(self) -> Floats:
@@ -136,7 +136,7 @@ class SystemTrajectory(Rows):
 
     @cached_property
     def accelerations(self) -> Floats:
-        """q̈, shape (N, n)."""
+        """The accelerations q̈, shape (N, n)."""
         return self._solved[:, : len(self.motion.q)]
 
     @cached_property
@@ -170,7 +170,7 @@ class SystemTrajectory(Rows):
         return slipping.friction(self.t, states, self.slip.astype(float))
 
     def drift(self) -> dict[str, float]:
-        """By how much what is conserved strays from its value at t = 0, at most; constraints too.
+        """The largest changes of what is conserved from its value at t = 0; constraints too.
 
         Each is relative to the largest sum of the magnitudes of its terms along the motion.  Where
         the energy is not conserved, "energy balance" is what energy and work fail to add up to.

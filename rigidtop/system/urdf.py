@@ -40,7 +40,7 @@ FLOATING = (
 
 
 def links_and_joints(given: Any, friction: bool) -> tuple[list[Link], list[Joint]]:
-    """Those of a file or a text; see `Mechanism.from_urdf`."""
+    """The links and joints of a file or a text; see `Mechanism.from_urdf`."""
     robot = _root(_text(given))
     links = [_link(each) for each in robot.findall("link")]
     names = [_named(each) for each in robot.findall("joint")]
@@ -210,7 +210,7 @@ def _origin(element: Element, name: str) -> tuple[MatrixBase, MatrixBase]:
 def _numbers(
     element: Element | None, key: str, otherwise: str, count: int, name: str, angles: bool = False
 ) -> list[Expr]:
-    """So many numbers of an attribute."""
+    """The numbers of an attribute, as many as are wanted."""
     given = otherwise if element is None else element.get(key, otherwise)
     words = given.split()
     if len(words) != count or not all(map(NUMBER.fullmatch, words)):

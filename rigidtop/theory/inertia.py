@@ -68,7 +68,7 @@ class Solid:
         return Solid(self.position.xreplace(names), limits)
 
     def volume(self) -> Expr:
-        """∫ d³r (m³)."""
+        """The volume ∫ d³r of the solid (m³)."""
         return self.integral(sympy.Integer(1))
 
     def centre(self) -> Matrix:
@@ -103,7 +103,7 @@ def ellipsoid(a: Expr, b: Expr, c: Expr) -> Solid:
 
 
 def sphere(radius: Expr) -> Solid:
-    """A ball about its centre."""
+    """A ball with its centre at the origin."""
     return ellipsoid(radius, radius, radius)
 
 

@@ -69,7 +69,7 @@ def _check_motion(L: Expr, q: Names, qdot: Names, qddot: Names = ()) -> None:
 
 
 def momenta(L: Expr, qdot: Names) -> Matrix:
-    """p = ∂L/∂q̇ (n×1)."""
+    """The momenta p = ∂L/∂q̇ (n×1)."""
     _check(L, velocities=qdot)
     return Matrix([sympy.factor_terms(slope(L, v)) for v in qdot])
 
@@ -81,7 +81,7 @@ def mass_matrix(L: Expr, qdot: Names) -> Matrix:
 
 
 def _second(L: Expr, names: Names) -> Matrix:
-    """The second derivatives of L."""
+    """The matrix (n×n) of the second derivatives of L by the names."""
     return Matrix([[slope(slope(L, x), y) for y in names] for x in names])
 
 

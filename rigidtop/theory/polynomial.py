@@ -46,7 +46,7 @@ class Polynomial:
         self._terms = self._lowered(self._value(expression))
 
     def expression(self) -> Expr:
-        """It as an expression."""
+        """The polynomial as an expression of SymPy."""
         return self._expression(self._terms)
 
     def is_zero(self) -> bool:
@@ -60,7 +60,7 @@ class Polynomial:
         return bool(zero) and min(zero) > 0
 
     def factors(self) -> list[tuple[Expr, int]]:
-        """Its factors with their powers, a number among them.
+        """The factors with their powers, a number among them.
 
         >>> from sympy.abc import x, y
         >>> Polynomial(1/x - x/y**2).factors()
@@ -145,7 +145,7 @@ class Polynomial:
         return self._ring.from_dict({tuple(powers): 1})
 
     def _lowered(self, terms: PolyElement) -> PolyElement:
-        """By the relations, as long as one of them lowers a power."""
+        """The terms reduced by the relations, as long as one of them lowers a power."""
         known = [(x, *relation) for x, relation in self._relations.items() if relation]
         while high := [r for r in known if any(powers[self._at[r[0]]] >= r[1] for powers in terms)]:
             for x, least, other in high:
@@ -160,7 +160,7 @@ class Polynomial:
     def _with(
         self, terms: PolyElement, k: int, instead: Callable[[int], PolyElement]
     ) -> PolyElement:
-        """With something else instead of each power of a generator."""
+        """The sum with something else instead of each power of a generator."""
         made = (part * instead(n) for n, part in _coefficients(terms, k).items())
         return sum(made, self._ring.zero)
 
@@ -205,7 +205,7 @@ def _coefficients(element: PolyElement, k: int) -> dict[int, PolyElement]:
 
 @lru_cache(maxsize=CACHED)
 def _ring(count: int, whole: bool) -> PolyRing:
-    """With so many generators, over the integers or over the rational numbers."""
+    """The ring with so many generators, over the integers or over the rational numbers."""
     ring: PolyRing = xring([f"x{k}" for k in range(count)], ZZ if whole else QQ)[0]
     return ring
 

@@ -1,4 +1,4 @@
-"""Rates along a motion."""
+"""Derivatives by symbols and by time, along a motion and in a series."""
 
 from __future__ import annotations
 
@@ -128,5 +128,5 @@ def _moving(expression: Expr, rates: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
 
 
 def _is_time(symbol: Expr) -> bool:
-    """By its name; but a t of one's own may be a thickness."""
+    """Whether a symbol is the time, by its name; but a t of one's own may be a thickness."""
     return str(symbol) == "t" and (not isinstance(symbol, Lettered) or symbol.quantity.unit == "s")

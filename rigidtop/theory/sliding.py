@@ -71,7 +71,7 @@ _SYMMETRIC = {s.lambda2: s.lambda1}
 
 
 def attitude() -> Matrix:
-    """Of the frame that follows e₃: its components to space components (3×3)."""
+    """The rotation (3×3) from the frame that follows e₃ to space components."""
     return quaternion_matrix(Matrix(QUATERNION))
 
 

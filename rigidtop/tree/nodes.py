@@ -15,7 +15,7 @@ from functools import cache, lru_cache
 
 
 class Node:
-    """A part of a formula."""
+    """A part of a formula; each kind of part is a subclass."""
 
     __slots__ = ()
 
@@ -85,7 +85,7 @@ class PlusMinus(Node):
 
 @dataclass(frozen=True, slots=True)
 class Product(Node):
-    """Factors beside each other."""
+    """A product of factors that are written side by side."""
 
     factors: tuple[Node, ...]
 
@@ -144,7 +144,7 @@ class Absolute(Node):
 
 @dataclass(frozen=True, slots=True)
 class Average(Node):
-    """⟨x⟩."""
+    """An average in angle brackets: ⟨x⟩."""
 
     of: Node
 
@@ -293,7 +293,7 @@ class Limit(Node):
 
 @dataclass(frozen=True, slots=True)
 class Order(Node):
-    """O(ε²): what is left out."""
+    """The terms that are left out, such as O(ε²)."""
 
     of: Node
 
@@ -345,7 +345,7 @@ def replaced(node: Node, old: Node, new: Node) -> Node:
 
 @lru_cache(maxsize=20_000)
 def letters(node: Node) -> frozenset[Letter]:
-    """The letters in a tree."""
+    """The set of all letters that occur in a tree."""
     return frozenset(each for each in walked(node) if isinstance(each, Letter))
 
 

@@ -135,7 +135,7 @@ def labelled(sides: Sequence[tuple[Sequence[Any], int | None]], alt: str) -> str
 
 
 def letter(glyph: Glyph) -> str:
-    """A symbol."""
+    """A symbol as MathML, with its accent, index and prime."""
     if len(glyph.base) > 1:
         base = f"<mtext>{escape(glyph.base)}</mtext>"
     else:

@@ -16,21 +16,21 @@ from rigidtop.theory.symbols import Glyph
 
 @dataclass(frozen=True)
 class Digits:
-    """Digits without a sign."""
+    """A number without a sign, as its digits."""
 
     text: str
 
 
 @dataclass(frozen=True)
 class Atom:
-    """A symbol."""
+    """A single symbol, by its glyph."""
 
     glyph: Glyph
 
 
 @dataclass(frozen=True)
 class Signed:
-    """A term of a sum."""
+    """A term of a sum, and whether a minus stands before it."""
 
     negative: bool
     body: Node
@@ -132,7 +132,7 @@ class Infix:
 
 @dataclass(frozen=True)
 class TransposeOf:
-    """Bodyᵀ."""
+    """The transpose of a matrix: the body with ᵀ behind it."""
 
     body: Node
 
@@ -173,7 +173,7 @@ class IntegralMeasure:
 
 @dataclass(frozen=True)
 class Grid:
-    """A matrix."""
+    """A matrix as rows of nodes."""
 
     rows: tuple[tuple[Node, ...], ...]
 
@@ -356,7 +356,7 @@ def total(terms: Iterable[Node]) -> Node:
 
 
 def as_operand(node: Node) -> Node:
-    """An operand of × or ·."""
+    """The node as an operand of × or ·, in brackets where it needs them."""
     return Brackets(node) if isinstance(node, (Terms, Infix, Big)) else node
 
 

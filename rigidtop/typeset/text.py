@@ -41,7 +41,7 @@ def text(tree: Basic, order: Order = "auto", *, tag: bool = False) -> str:
 
 
 def letter(glyph: Glyph) -> str:
-    """A symbol: ω̇₁, e₁′, L_z."""
+    """A symbol as plain text: ω̇₁, e₁′, L_z."""
     before, glyph = lay.differential(glyph)
     shown = before + glyph.base[0] + _ACCENTS[glyph.accent] + glyph.base[1:]
     plain = glyph.sub.rstrip("′")

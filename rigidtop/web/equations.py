@@ -120,7 +120,7 @@ def damped_body() -> RightHandSide:
 
 
 def functions() -> Iterator[str]:
-    """Each function's text."""
+    """The JavaScript of each function of the generated module."""
     yield rates("heavyTop", named("heavy_top"))
     yield rates("heavyBody", named("heavy_body"))
     yield rates("dampedBody", damped_body())

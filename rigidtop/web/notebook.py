@@ -1,4 +1,4 @@
-"""A motion shown in Jupyter."""
+"""The page of a motion, shown inside a Jupyter notebook."""
 
 from __future__ import annotations
 

@@ -176,12 +176,12 @@ def common(
 
 
 def tableau() -> dict[str, object]:
-    """The coefficients of DOP853."""
+    """The coefficients of the Runge–Kutta method DOP853, for the page's script."""
     return {name: getattr(DOP853, name).tolist() for name in TABLEAU}
 
 
 def _equations(kind: str) -> tuple[tuple[terms.TermsOf, bool | None], ...]:
-    """With whether they are for symmetric bodies, for the others, or for all."""
+    """The equations, and whether they are for symmetric bodies, for the others, or for all."""
     if kind == FREE:
         return tuple((each, None) for each in terms.free())
     symmetric = tuple((each, True) for each in terms.heavy())
@@ -211,6 +211,6 @@ def _preset(preset: Preset) -> dict[str, object]:
 
 
 def json_text(value: object) -> str:
-    """For a script element: no "<" in it."""
+    """The value as JSON for a script element: no "<" in it."""
     text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c")

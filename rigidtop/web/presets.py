@@ -30,7 +30,7 @@ def _top(
 
 
 def heavy_presets() -> tuple[Preset, ...]:
-    """Of the heavy top."""
+    """The motions of the heavy top that the page offers."""
     slow, fast = TOP.steady_precession(TILT, SPIN)
     sleeping = TOP.sleeping_spin()
     arrows = ("e3", "omega", "L", "torque", "trail")
@@ -104,7 +104,7 @@ def heavy_presets() -> tuple[Preset, ...]:
 
 
 def free_presets() -> tuple[Preset, ...]:
-    """Of free bodies."""
+    """The motions of free bodies that the page offers."""
     cones, poinsot = ("e3", "omega", "L", "cones"), ("omega", "L", "poinsot")
     return (
         Preset(

@@ -31,12 +31,12 @@ class Slider:
 
     @property
     def letter(self) -> str:
-        """As text."""
+        """The slider's symbol as plain text."""
         return text_letter(self.glyph)
 
     @property
     def math(self) -> str:
-        """As MathML."""
+        """The slider's symbol as a MathML element."""
         return f'<math xmlns="http://www.w3.org/1998/Math/MathML">{letter(self.glyph)}</math>'
 
     @property

@@ -183,7 +183,7 @@ def _letter(x: Symbol, angle: bool, meaning: str, unit: str) -> dict[str, Any]:
 
 
 def _range(x: Symbol, value: float) -> dict[str, Any]:
-    """From where to where a parameter goes, so that its sign stays what it was declared."""
+    """The ends between which a parameter goes, so that it keeps the sign that was declared."""
     if x.is_positive:
         return {"least": value / 10, "most": 10 * value, "logarithmic": True}
     if x.is_negative:

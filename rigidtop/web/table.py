@@ -65,7 +65,7 @@ def page_of_table(motion: SlidingMotion, height: int = Page.height) -> Page:
 
 
 def integrated(motion: SlidingMotion) -> SlidingTrajectory:
-    """As far as it is played."""
+    """The trajectory up to the end of what the page plays."""
     return motion.integrate(np.arange(0, LONGEST + 0.5 / ROWS, 1 / ROWS))
 
 
@@ -137,7 +137,7 @@ def data(runs: Mapping[str, SlidingTrajectory], title: str) -> Mapping[str, obje
 
 
 def recording(run: SlidingTrajectory) -> Mapping[str, object]:
-    """Its rows, as numbers of four bytes, and why there are no more."""
+    """The rows of a recording, as numbers of four bytes, and why there are no more."""
     taken = run.dissipated_by_friction + run.dissipated_by_air
     slip = np.hypot(*run.slip.T)
     rows = np.column_stack(

@@ -50,7 +50,7 @@ class Term:
 
     @property
     def text(self) -> str:
-        """As the notes print it."""
+        """The term as plain text, as the notes print it."""
         return text(self.expression)
 
 
@@ -70,7 +70,7 @@ class TermsOf:
 
     @cached_property
     def terms(self) -> tuple[Term, ...]:
-        """Of both sides; what says only that a quantity is constant is none."""
+        """The terms of both sides; what says only that a quantity is constant is none."""
         found = [term for side in self.equation.sides for term in _terms(side)]
         arrows = self.arrows or ("",) * len(found)
         return tuple(
@@ -80,12 +80,12 @@ class TermsOf:
 
     @property
     def values(self) -> tuple[Expr, ...]:
-        """Of the terms, in coordinates, velocities and parameters."""
+        """The values of the terms, in coordinates, velocities and parameters."""
         return tuple(value(term.expression, self.meaning) for term in self.terms)
 
     @property
     def mathml(self) -> str:
-        """With ``data-term`` on each term."""
+        """The equation as MathML, with ``data-term`` on each of its terms."""
         first = 0
         sides = []
         for side in self.equation.sides:

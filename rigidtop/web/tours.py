@@ -29,7 +29,7 @@ NUTATIONS = ("waves", "cusps", "loops")
 
 
 def heavy_tour() -> tuple[TourQuestion, ...]:
-    """Of the heavy top."""
+    """The questions of the tour on the heavy top."""
     twice = TOP.steady_precession(TILT, 2 * SPIN)[0]
     slow, fast = TOP.steady_precession(TILT, SPIN)
     least = TOP.smallest_spin(TILT)
@@ -119,7 +119,7 @@ def heavy_tour() -> tuple[TourQuestion, ...]:
 
 
 def free_tour() -> tuple[TourQuestion, ...]:
-    """Of the free body."""
+    """The questions of the tour on the free body."""
     body = FreeBody(1.0, 1.7, 2.3)
     period = body.motion(omega=(0.02, 4.0, 0.02)).nutation_period
     nearer = body.motion(omega=(0.002, 4.0, 0.002)).nutation_period

@@ -54,7 +54,7 @@ def loop(o, t, found):
 
 
 def series(coefficients: Sequence[float], x: Real) -> Real:
-    """The constant first."""
+    """The polynomial in x with these coefficients, the constant first."""
     total: Real = coefficients[-1]
     for coefficient in coefficients[-2::-1]:
         total = total * x + coefficient
@@ -71,7 +71,7 @@ class Sums(Trace):
         return 1 + y * series(COSINE[1:], y), x + x * y * series(SINE[1:], y)
 
     def tan(self, x: Real) -> Real:
-        """Of |x| ≤ π/2."""
+        """The tangent of x, for |x| ≤ π/2."""
         c, s = self._circle(abs(x) / 2)
         return self.copysign(2 * s * c / ((c - s) * (c + s)), x)
 
@@ -92,7 +92,7 @@ class Sums(Trace):
         return self.circle(x)[1]
 
     def atan2(self, y: Real, x: Real) -> Real:
-        """Of finite numbers; x = −0.0 is 0."""
+        """The angle of finite numbers; x = −0.0 is 0."""
         up, along = abs(y), abs(x)
         small, large = self.smaller(up, along), self.larger(up, along)
         far = small > STEEP * large

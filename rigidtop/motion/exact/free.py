@@ -185,7 +185,7 @@ class FreeOrbit:
         return Smoothness(rate, strip, abs(self.drift) + rate + self.sigma, strip)
 
     def at(self, t: Real) -> FreeState:
-        """At times t (s), which broadcast against the orbit."""
+        """The state at times t (s), which broadcast against the orbit."""
         with np.errstate(all="ignore"):
             return self._at(Arrays, t)
 
@@ -234,7 +234,7 @@ def _inverse(q0: Real, q1: Real, q2: Real, q3: Real) -> tuple[Real, ...]:
 
 
 def _renamed(k: Kit, axes: Triple, values: list[Real]) -> tuple[Real, ...]:
-    """By the body's own axes."""
+    """Components by the body's own axes, from those by the sorted `axes`."""
     return tuple(
         k.where(axes[0] == own, values[0], k.where(axes[1] == own, values[1], values[2]))
         for own in (0, 1, 2)

@@ -189,7 +189,7 @@ class Nome:
 
 
 def _nome(k: Kit, s: Scaled, r: Roots) -> tuple[Roots, Nome]:
-    """And the roots, which meet where an axis is still."""
+    """The roots, which meet where an axis is still, and the nome."""
     mu, x0, y0 = s.mu, s.x0, s.y0
     m13 = r.m03 + 2 * mu * r.x1  # a sum, also next to the separatrix
     m23 = m13 + 2 * mu * r.span
@@ -264,7 +264,7 @@ def _halves(k: Kit, s: Scaled, r: Roots, nome: Nome, a1: Real, a2: Real) -> tupl
 def _fall(
     k: Kit, s: Scaled, r: Roots, nome: Nome, origin: Real
 ) -> tuple[Real, Real, tuple[Real, Real, Real]]:
-    """By how much x falls from the origin of z, the size of θ̇ (rad/s), and its series."""
+    """How far x falls from the origin of z, the size of θ̇ (rad/s), and its series."""
     mod = nome.modulus
     # 1 − m of this nome: of m₁ itself the logarithm, which time is measured by, is not as exact.
     two, three = mod.theta2 * mod.theta2, mod.theta3 * mod.theta3

@@ -219,7 +219,7 @@ class HeavyOrbit:
             return self.evaluated(Arrays, t)
 
     def sizes(self, times: Floats) -> Callable[[TopState], Sequence[tuple[str, Floats | float]]]:
-        """To what the quantities of states are needed, at times of this size."""
+        """The sizes to which the quantities of states are needed, at times of this size."""
         latest = float(max(abs(times[0]), abs(times[-1])))
 
         def needed(state: TopState) -> list[tuple[str, Floats | float]]:

@@ -84,7 +84,7 @@ class Smoothness:
 
     @property
     def piece_anywhere(self) -> float:
-        """And next to poles too (s)."""
+        """The longest piece that may be interpolated next to poles too (s)."""
         return 2 * OF_STRIP * self.nearest / self.rate if self.rate else math.inf
 
 

@@ -43,7 +43,7 @@ Cubic = tuple[Real, Real, Real, Real]
 
 @dataclass(frozen=True)
 class Modulus:
-    """What depends on m alone."""
+    """The constants of the theta functions that depend on m alone."""
 
     circular: Truth
     """m ≤ ½."""
@@ -65,7 +65,7 @@ class Modulus:
 
 
 def modulus(k: Kit, m: Real, m1: Real) -> Modulus:
-    """From m and 1 − m, both known to all their digits."""
+    """The constants of m and 1 − m, both known to all their digits."""
     circular = m <= m1
     small, large = k.where(circular, m, m1), k.where(circular, m1, m)
     a, b = small * 0 + 1.0, k.sqrt(large)
@@ -141,7 +141,7 @@ def along(k: Kit, mod: Modulus, c: Cubic) -> Cubic:
 
 @dataclass(frozen=True)
 class PeriodPlace:
-    """Where a motion is in its period."""
+    """The place of a motion in its period."""
 
     turns: Real
     """Whole periods since the origin."""
@@ -161,7 +161,7 @@ FARTHEST = 340.0
 
 
 def place(k: Kit, mod: Modulus, z: Real) -> PeriodPlace:
-    """Where z is."""
+    """The place in its period of a motion at z."""
 
     def circular() -> tuple[Real, ...]:
         turns = k.rint(z * (1 / math.pi)) + 0.0
@@ -227,7 +227,7 @@ def factor(
     at_origin: bool,
     swapped: Truth,
 ) -> Factor:
-    """From sn/cn of the complementary parameter at b, and at K′ − b.
+    """The factor from sn/cn of the complementary parameter at b, and at K′ − b.
 
     `swapped` says whether the origin is the turning point at τ = K, not that at τ = 0: there the
     common denominator of the motion is θ₃, not θ₄.
@@ -302,7 +302,7 @@ class Real4:
 
 
 def real4(k: Kit, mod: Modulus) -> Real4:
-    """With signs as between z = ±π/2, or ±πK/(2K′)."""
+    """The theta functions θ₁ to θ₄ of real z, signed as between z = ±π/2, or ±πK/(2K′)."""
     q = mod.q
     halves = _odd_multiples(q, 1.0, 0.0, 1.0, 1.0)[4:8]
     minus, plus = (_even_multiples(q, sign, 1.0, 0.0, 1.0)[4:8] for sign in (-1.0, 1.0))

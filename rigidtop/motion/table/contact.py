@@ -71,7 +71,7 @@ class Contact:
         self.speed_unit = math.sqrt(b.g * b.R)
 
     def sliding(self, state: Sequence[Number], direction: tuple[Number, Number]) -> Moment:
-        """In that direction of the slip, a unit vector."""
+        """The rates and the force while it slides in this direction, a unit vector."""
         known = self.kinematics(state[:9])
         axis, velocity, free = known[:3], known[3:6], known[6:]
         found = self._slide((*axis, *state[7:9], *direction, *free))
@@ -79,7 +79,7 @@ class Contact:
         return Moment(self._rate(state, velocity, force, slipping), force, slipping, found[5])
 
     def slipping(self, state: Sequence[Number], otherwise: Direction) -> Moment:
-        """In the direction of the slip, or `otherwise` where there is none."""
+        """The same in the direction of the slip, or `otherwise` where there is none."""
         direction: tuple[Number, Number]
         if isinstance(state[7], float):
             speed = math.hypot(state[7], state[8])
@@ -94,7 +94,7 @@ class Contact:
         return self.sliding(state, direction)
 
     def rolling(self, state: Sequence[Number]) -> Moment:
-        """The contact held."""
+        """The rates and the force while the body rolls without slipping."""
         known = self.kinematics(state[:9])
         axis, velocity, free = known[:3], known[3:6], known[6:]
         found = self._roll((*axis, *free))

@@ -134,7 +134,7 @@ class SlidingMotion(Moving):
 
     @property
     def velocity(self) -> Floats:
-        """Of the centre of mass along x̂ and ŷ at t = 0, shape (2,), in m/s."""
+        """The velocity of the centre of mass along x̂ and ŷ at t = 0, shape (2,), in m/s."""
         return np.array(_without_slip(self.body, self.initial)) + self.slip
 
     def start(self) -> SlidingTrajectory:
@@ -269,7 +269,7 @@ class SlidingMotion(Moving):
         rolling: NDArray[np.bool_],
         events: tuple[Event, ...] = (),
     ) -> SlidingTrajectory:
-        """With what happens on the table: slip, place and what is dissipated, (6, N)."""
+        """The trajectory with what happens on the table: slip, place, dissipation, (6, N)."""
         return SlidingTrajectory(
             motion=self,
             t=times,

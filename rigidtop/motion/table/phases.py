@@ -85,7 +85,7 @@ class ContactLaw:
     """Whether it slips slowly."""
 
     def moment(self, state: Sequence[Number]) -> Moment:
-        """Of a state as floats, or of many as rows."""
+        """The rates and the force at a state of floats, or at many as rows."""
         if self.rolling:
             return self.contact.rolling(state)
         return self.contact.slipping(state, self.direction)
@@ -116,7 +116,7 @@ class ContactLaw:
         return found
 
     def tolerances(self, atol: float) -> Floats:
-        """Absolute ones, for each variable."""
+        """The absolute tolerance of each variable of the state."""
         body, found = self.contact.body, atol * units(self.contact.body)
         if body.mu > 0 and not self.rolling:
             least = STANDSTILL if self.slow else SLOW
@@ -160,7 +160,7 @@ class Course:
 
     @property
     def flow(self) -> Flow:
-        """All of it."""
+        """The flow of all phases, one after the other."""
         return joined([phase.flow for phase in self.phases])
 
     def rolling(self, times: Floats) -> NDArray[np.bool_]:
@@ -278,7 +278,7 @@ def _lifts_at_once(law: ContactLaw, state: list[float], time: float) -> bool:
 
 
 def _event(watch: Watch) -> Callable[[float, Floats], float]:
-    """For `solve_ivp`: to stop where it falls to zero."""
+    """The event at which `solve_ivp` stops: where it falls to zero."""
 
     def event(_: float, state: Floats) -> float:
         return float(watch(state.tolist()))

@@ -51,7 +51,7 @@ POLE = 1e-13
 
 @dataclass(frozen=True)
 class NutationState:
-    """At N times, arrays of shape (N,); φ and ψ count from those at t = 0 (rad, rad/s)."""
+    """States at N times, arrays (N,); φ and ψ count from those at t = 0 (rad, rad/s)."""
 
     theta: Floats
     theta_dot: Floats
@@ -113,7 +113,7 @@ class Nutation:
         return float(smallest), float(largest)
 
     def away(self, chi: Floats) -> tuple[Floats, Floats]:
-        """1 − u and 1 + u."""
+        """The distances 1 − u and 1 + u of u = cos θ from both ends, at χ (N,)."""
         half = chi / 2
         upright = self.from_upright + 2 * self.amplitude * np.sin(half) ** 2
         hanging = self.from_hanging + 2 * self.amplitude * np.cos(half) ** 2
@@ -134,7 +134,7 @@ class Nutation:
 
     @property
     def nutation_period(self) -> float:
-        """From one smallest θ to the next, or of a small nutation where θ is constant (s)."""
+        """The time from one smallest θ to the next, or of a small nutation if θ is constant (s)."""
         return 2 * np.pi * self.time.slope
 
     @property
@@ -153,7 +153,7 @@ class Nutation:
         return self.weight + self.lever * acceleration
 
     def at(self, times: Floats) -> NutationState:
-        """The state at `times` (N,)."""
+        """The state at `times` (N,) in s."""
         first = np.array([self.chi_0])
         since = times + self.time.at(first)[0]
         turns = np.rint(since / self.nutation_period)

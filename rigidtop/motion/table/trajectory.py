@@ -69,14 +69,14 @@ class SlidingTrajectory(TopTrajectory):
 
     @property
     def position(self) -> Floats:
-        """Of the centre of mass, shape (N, 3), in m; the table is z = 0."""
+        """The place of the centre of mass, shape (N, 3), in m; the table is z = 0."""
         body = self.motion.body
         height = body.tip + (body.R - body.tip) * self._known[2]
         return np.column_stack([self.centre, height])
 
     @property
     def velocity(self) -> Floats:
-        """Of the centre of mass, shape (N, 3), in m/s."""
+        """The velocity of the centre of mass, shape (N, 3), in m/s."""
         return self._known[3:6].T
 
     @property
@@ -110,7 +110,7 @@ class SlidingTrajectory(TopTrajectory):
 
     @property
     def friction_force(self) -> Floats:
-        """Of the table on the top, along x̂ and ŷ, shape (N, 2), in N."""
+        """The friction of the table on the top, along x̂ and ŷ, shape (N, 2), in N."""
         return self._force[:2].T
 
     @property
@@ -143,7 +143,7 @@ class SlidingTrajectory(TopTrajectory):
         return float(start.energy[0]) + body.M * body.g * below, 1.0
 
     def budget(self) -> float:
-        """By how much energy and what is dissipated fail to add up to the energy at t = 0, at most.
+        """The largest amount by which energy and dissipated energy miss the energy at t = 0.
 
         Relative to the kinetic energy at t = 0 and MgR together.
         """
