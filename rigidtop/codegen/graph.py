@@ -113,8 +113,8 @@ class Graph:
         analytic = all(self._analytic[k] for _, k in items)
         if analytic and abs(number) < DIGITS.ldexp(max(map(abs, numbers)), -SAME):
             return ZERO
-        made = self._grouped(SumNode, items, lambda k: (1, k))
-        return self._times(scale, self._node(SumNode(made), number, analytic, frozenset(items)))
+        grouped = self._grouped(SumNode, items, lambda k: (1, k))
+        return self._times(scale, self._node(SumNode(grouped), number, analytic, frozenset(items)))
 
     def _flat(self, values: Iterable[Value]) -> Iterator[Value]:
         for c, k in values:
@@ -164,8 +164,8 @@ class Graph:
             return value
         size = abs(c)
         node = SumNode(((size, k),))
-        made = self._node(node, self.number((size, k)), self._analytic[k])
-        return self._times(_sign(c), made)
+        whole = self._node(node, self.number((size, k)), self._analytic[k])
+        return self._times(_sign(c), whole)
 
     def power(self, base: Value, exponent: Number) -> Value:
         """base**exponent, for a number as exponent."""
@@ -252,47 +252,47 @@ class Graph:
         sign = -1 if analytic and number < 0 else 1
         if analytic and size in self._equals and (signed or self._equals[size][0] == sign):
             c, k = self._equals[size]
-            made = (sign * c, k)
+            value = (sign * c, k)
         else:
-            made = (1, len(self.nodes))
+            value = (1, len(self.nodes))
             self.nodes.append(node)
             self.numbers.append(number)
             self._analytic.append(analytic)
             if analytic:
-                self._equals.setdefault(size, (sign, made[1]))
-            self._items[made[1]] = items
+                self._equals.setdefault(size, (sign, value[1]))
+            self._items[value[1]] = items
             for item in items:
                 having = self._having.setdefault((type(node), item), [])
                 if len(having) < CANDIDATES:
-                    having.append(made[1])
-        self._places[node] = made
-        return made
+                    having.append(value[1])
+        self._places[node] = value
+        return value
 
     # --- from SymPy, and derivatives --------------------------------------------------------------
 
-    def expression(self, given: Expr) -> Value:
+    def expression(self, expression: Expr) -> Value:
         """A SymPy expression, each part of it walked once."""
-        value = self._expressions.get(given)
+        value = self._expressions.get(expression)
         if value is None:
-            value = self._expressions[given] = self._walked(given)
+            value = self._expressions[expression] = self._walked(expression)
         return value
 
-    def _walked(self, given: Expr) -> Value:
-        if given.is_Rational or given.is_Float:
-            return (_quick(given), 0) if given != 0 else ZERO
-        if given.is_Add:
-            return self.total(map(self.expression, given.args))
-        if given.is_Mul:
-            return self.product(map(self.expression, given.args))
-        if given.is_Pow and (given.exp.is_Rational or given.exp.is_Float):
-            return self.power(self.expression(given.base), _quick(given.exp))
-        if _is_called(given):
-            return self.call(given.func, [self.expression(x) for x in given.args])
-        number = self.point.get(given)
-        if number is None and isinstance(given, OWN):
+    def _walked(self, expression: Expr) -> Value:
+        if expression.is_Rational or expression.is_Float:
+            return (_quick(expression), 0) if expression != 0 else ZERO
+        if expression.is_Add:
+            return self.total(map(self.expression, expression.args))
+        if expression.is_Mul:
+            return self.product(map(self.expression, expression.args))
+        if expression.is_Pow and (expression.exp.is_Rational or expression.exp.is_Float):
+            return self.power(self.expression(expression.base), _quick(expression.exp))
+        if _is_called(expression):
+            return self.call(expression.func, [self.expression(x) for x in expression.args])
+        number = self.point.get(expression)
+        if number is None and isinstance(expression, OWN):
             number = generic(SPARE + len(self.nodes))
-        value = number_of(given.xreplace(self.point) if number is None else number)
-        return self._node(Leaf(given), value, number is not None or given.is_number)
+        value = number_of(expression.xreplace(self.point) if number is None else number)
+        return self._node(Leaf(expression), value, number is not None or expression.is_number)
 
     def derivative(self, value: Value, along: Direction) -> Value:
         """The rate of a value where letters have the rates of a direction."""
@@ -301,19 +301,19 @@ class Graph:
         return self._times(value[0], along.known[value[1]])
 
     def _rate(self, k: int, along: Direction) -> Value:
-        node, known = self.nodes[k], along.known
+        node, rate_of = self.nodes[k], along.known
         if isinstance(node, SumNode):
-            return self.total(self._times(c, known[j]) for c, j in node.terms)
+            return self.total(self._times(c, rate_of[j]) for c, j in node.terms)
         if isinstance(node, ProductNode):
-            return self.total(self._of_product(k, node, known))
+            return self.total(self._of_product(k, node, rate_of))
         if isinstance(node, PowerNode):
-            rate = self._times(node.base[0], known[node.base[1]])
+            rate = self._times(node.base[0], rate_of[node.base[1]])
             if rate == ZERO:
                 return ZERO
             slope = self.power(node.base, node.exponent - 1)
             return self._times(node.exponent, self.product([slope, rate]))
         if isinstance(node, CallNode):
-            rates = [self._times(c, known[j]) for c, j in node.arguments]
+            rates = [self._times(c, rate_of[j]) for c, j in node.arguments]
             return self.total(
                 self.product([self._slope(node, i), rate])
                 for i, rate in enumerate(rates)
@@ -329,37 +329,37 @@ class Graph:
             for x in sorted(moved, key=str)
         )
 
-    def _of_product(self, k: int, node: ProductNode, known: Mapping[int, Value]) -> Iterator[Value]:
+    def _of_product(self, k: int, node: ProductNode, rates: Mapping[int, Value]) -> Iterator[Value]:
         for i, j in enumerate(node.above):
-            if known[j] != ZERO:
+            if rates[j] != ZERO:
                 others = [(1, x) for x in (*node.above[:i], *node.above[i + 1 :])]
-                yield self.product([*others, known[j]], [(1, x) for x in node.below])
+                yield self.product([*others, rates[j]], [(1, x) for x in node.below])
         for j in node.below:
-            if known[j] != ZERO:
-                share = self.product([(1, k), known[j]], [(1, j)])
+            if rates[j] != ZERO:
+                share = self.product([(1, k), rates[j]], [(1, j)])
                 yield self._times(-1, share)
 
     def _slope(self, node: CallNode, i: int) -> Value:
         """The derivative of a called function by its argument i: ∂f/∂xᵢ."""
         slopes = _slopes(node.function, len(node.arguments))
         assert slopes is not None  # or else it would be a leaf
-        letters, made = slopes
-        return self._put(made[i], dict(zip(letters, node.arguments, strict=True)))
+        letters, derivatives = slopes
+        return self._put(derivatives[i], dict(zip(letters, node.arguments, strict=True)))
 
-    def _put(self, given: Expr, own: Mapping[Expr, Value]) -> Value:
+    def _put(self, expression: Expr, own: Mapping[Expr, Value]) -> Value:
         """An expression in letters that stand for values."""
-        if given in own:
-            return own[given]
-        if given.is_Rational or given.is_Float:
-            return self.expression(given)
-        parts = [self._put(x, own) for x in given.args]
-        if given.is_Add:
+        if expression in own:
+            return own[expression]
+        if expression.is_Rational or expression.is_Float:
+            return self.expression(expression)
+        parts = [self._put(x, own) for x in expression.args]
+        if expression.is_Add:
             return self.total(parts)
-        if given.is_Mul:
+        if expression.is_Mul:
             return self.product(parts)
-        if given.is_Pow and given.exp.is_Rational:
-            return self.power(parts[0], _quick(given.exp))
-        return self.call(given.func, parts)
+        if expression.is_Pow and expression.exp.is_Rational:
+            return self.power(parts[0], _quick(expression.exp))
+        return self.call(expression.func, parts)
 
     # --- out --------------------------------------------------------------------------------------
 
@@ -395,20 +395,20 @@ def _reciprocal(number: Number) -> Number:
     return 1 / number
 
 
-def _is_called(given: Expr) -> bool:
+def _is_called(expression: Expr) -> bool:
     """Whether an expression is a function of values, whose slopes are such too."""
-    if isinstance(given, (*OWN, sympy.Piecewise, sympy.Max, sympy.Min)) or not given.args:
+    if isinstance(expression, (*OWN, sympy.Piecewise, sympy.Max, sympy.Min)) or not expression.args:
         return False
-    known = given.is_Pow or given.is_Function
-    return bool(known and _slopes(given.func, len(given.args)))
+    is_function = expression.is_Pow or expression.is_Function
+    return bool(is_function and _slopes(expression.func, len(expression.args)))
 
 
 @lru_cache(maxsize=256)
 def _slopes(function: Any, count: int) -> tuple[tuple[Dummy, ...], tuple[Expr, ...]] | None:
     """The slopes of a function, with letters for its arguments; nothing if SymPy has none."""
     letters = tuple(Dummy(real=True) for _ in range(count))
-    made = tuple(function(*letters).diff(x) for x in letters)
-    return None if any(x.has(*OWN) for x in made) else (letters, made)
+    derivatives = tuple(function(*letters).diff(x) for x in letters)
+    return None if any(x.has(*OWN) for x in derivatives) else (letters, derivatives)
 
 
 def somewhere(expressions: Iterable[Expr], build: Callable[[Graph], Made]) -> Made:

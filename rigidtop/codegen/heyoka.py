@@ -13,17 +13,17 @@ from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
 
 
-def on_symbols(heyoka: Any, made: Function, name: str, symbols: Sequence[Any]) -> list[Any]:
+def on_symbols(heyoka: Any, func: Function, name: str, symbols: Sequence[Any]) -> list[Any]:
     """The source of a function, run on heyoka's symbols.
 
     Raises RigidtopError if heyoka has no counterpart of a function that occurs.
     """
     # A choice between cases would be made once, for symbols, which are neither true nor false.
     if any(
-        isinstance(node, ast.IfExp | ast.BoolOp | ast.Compare) for node in ast.walk(made.definition)
+        isinstance(node, ast.IfExp | ast.BoolOp | ast.Compare) for node in ast.walk(func.definition)
     ):
         raise RigidtopError(f"{name}: heyoka's functions have no cases")
-    called = {word: getattr(heyoka, word, None) for word in source.names_called(made.definition)}
+    called = {word: getattr(heyoka, word, None) for word in source.names_called(func.definition)}
     unknown = sorted(word for word, function in called.items() if function is None)
     if unknown:
         raise RigidtopError(f"{name}: heyoka has no {', '.join(unknown)}")
@@ -31,7 +31,7 @@ def on_symbols(heyoka: Any, made: Function, name: str, symbols: Sequence[Any]) -
         word: partial(_of_either, word, function) for word, function in called.items() if function
     }
     names: dict[str, Any] = {"pi": math.pi, "e": math.e, **both}
-    exec(made.source, names)
+    exec(func.source, names)
     # What is constant comes back as a plain number.
     return [
         heyoka.expression(value) if isinstance(value, int | float) else value

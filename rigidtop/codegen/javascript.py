@@ -133,10 +133,10 @@ def _texts(expressions: Sequence[Expr]) -> tuple[list[str], list[str]]:
 
 
 def _comment(about: str, *tags: str) -> list[str]:
-    said = [line for part in about.split("\n") for line in textwrap.wrap(part, WIDTH - 3) or [""]]
+    lines = [line for part in about.split("\n") for line in textwrap.wrap(part, WIDTH - 3) or [""]]
     wrapped = [
         line
         for tag in tags
         for line in textwrap.wrap(tag, WIDTH - 3, subsequent_indent="  ", break_long_words=False)
     ]
-    return ["/**", *(f" * {line}".rstrip() for line in [*said, "", *wrapped]), " */"]
+    return ["/**", *(f" * {line}".rstrip() for line in [*lines, "", *wrapped]), " */"]

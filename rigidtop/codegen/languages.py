@@ -66,19 +66,19 @@ def plain(tree: Basic) -> str:
     return f"{tree.lhs} {tree.rel_op} {tree.rhs}" if isinstance(tree, Relational) else str(tree)
 
 
-def source(made: ClaimOutputs, language: str, shown: Callable[[Expr], str] = plain) -> Source:
+def source(claim: ClaimOutputs, language: str, spell: Callable[[Expr], str] = plain) -> Source:
     """What a claim has to evaluate, as a file in one of `LANGUAGES`.
 
-    `shown` writes equations, conditions and symbols in the comment.  Names that a language
+    `spell` writes equations, conditions and symbols in the comment.  Names that a language
     reserves, or can't tell from another, get an underscore behind them.
     """
     if language not in LANGUAGES:
         raise ValueError(f"no language {language!r}: {', '.join(LANGUAGES)}")
     write = LANGUAGES[language]
-    program = _program(made, write, shown)
+    program = _program(claim, write, spell)
     lines = [line.rstrip() for line in write.file(program)]
     returns = tuple(name for name, _ in program.results)
-    return Source(made.claim, language, program.arguments, returns, "\n".join(lines) + "\n")
+    return Source(claim.claim, language, program.arguments, returns, "\n".join(lines) + "\n")
 
 
 def function_name(claim: str) -> str:
@@ -112,34 +112,34 @@ class Language:
     ignores_case: bool = False
 
 
-def _program(made: ClaimOutputs, language: Language, shown: Callable[[Expr], str]) -> Routine:
+def _program(claim: ClaimOutputs, language: Language, spell: Callable[[Expr], str]) -> Routine:
     taken = set(language.reserved)
-    name = _free_name(function_name(made.claim), taken, language.ignores_case)
+    name = _free_name(function_name(claim.claim), taken, language.ignores_case)
     taken.add(f"{name}_module")
-    symbols = {x: _free_name(x.name, taken, language.ignores_case) for x in made.arguments}
-    outputs = [_free_name(v.name, taken, language.ignores_case) for v in made.outputs]
+    symbols = {x: _free_name(x.name, taken, language.ignores_case) for x in claim.arguments}
+    outputs = [_free_name(v.name, taken, language.ignores_case) for v in claim.outputs]
     # Plain symbols: two of one name are one, whatever a page assumes of them.
     renamed = {
         x: Symbol(symbols[y])
-        for expression in (*(v.expression for v in made.outputs), *(e for _, e in made.shared))
+        for expression in (*(v.expression for v in claim.outputs), *(e for _, e in claim.shared))
         for x in expression.free_symbols
-        for y in made.arguments
+        for y in claim.arguments
         if x.name == y.name
     }
     fresh = _fresh(taken, language.ignores_case)
-    renamed |= {x: next(fresh) for x, _ in made.shared}
-    expressions = [v.expression.xreplace(renamed) for v in made.outputs]
-    if made.shared:
-        shared = [(renamed[x], expression.xreplace(renamed)) for x, expression in made.shared]
+    renamed |= {x: next(fresh) for x, _ in claim.shared}
+    expressions = [v.expression.xreplace(renamed) for v in claim.outputs]
+    if claim.shared:
+        shared = [(renamed[x], expression.xreplace(renamed)) for x, expression in claim.shared]
         reduced = expressions
     else:
         shared, reduced = shared_parts(expressions, fresh)
     shared, reduced = in_pieces(shared, reduced, fresh)
-    arguments = [(symbols[x], _argument(x, shown)) for x in made.arguments]
-    results = [(o, _output(v, shown)) for o, v in zip(outputs, made.outputs, strict=True)]
+    arguments = [(symbols[x], _argument(x, spell)) for x in claim.arguments]
+    results = [(o, _output(v, spell)) for o, v in zip(outputs, claim.outputs, strict=True)]
     return Routine(
         name,
-        tuple(_about(made, name, shown)),
+        tuple(_about(claim, name, spell)),
         tuple(_aligned(arguments)),
         tuple(_aligned(results)),
         tuple(symbols.values()),
@@ -177,35 +177,35 @@ def shared_parts(
     return shared, reduced[: len(expressions)]
 
 
-def _about(made: ClaimOutputs, name: str, shown: Callable[[Expr], str]) -> Iterator[str]:
+def _about(claim: ClaimOutputs, name: str, spell: Callable[[Expr], str]) -> Iterator[str]:
     """The lines of the comment: name, claim, equations, axes, conditions."""
-    yield from textwrap.wrap(f"{name}: {unmarked(made.says)}", WIDTH - 8)
+    yield from textwrap.wrap(f"{name}: {unmarked(claim.says)}", WIDTH - 8)
     yield ""
-    conditions = [_conditions(line, shown) for line in made.lines]
+    conditions = [_conditions(line, spell) for line in claim.lines]
     alike = len(set(conditions)) == 1
-    for line, said in zip(made.lines, conditions, strict=True):
-        yield from _hanging(shown(line.equation))
-        if said and not alike:
-            yield from _hanging(f"  if {said}")
+    for line, condition in zip(claim.lines, conditions, strict=True):
+        yield from _hanging(spell(line.equation))
+        if condition and not alike:
+            yield from _hanging(f"  if {condition}")
         if line.reason:
             yield from _hanging(f"  {unmarked(line.reason)}")
-    if made.vectors:
-        said = ", ".join(
-            f"{shown(vector)} = ({', '.join(map(shown, components))})"
-            for vector, components in made.vectors
+    if claim.vectors:
+        axes = ", ".join(
+            f"{spell(vector)} = ({', '.join(map(spell, components))})"
+            for vector, components in claim.vectors
         )
-        yield from _hanging(f"Components with {said}.")
+        yield from _hanging(f"Components with {axes}.")
     if alike and conditions[0]:
         yield from _hanging(f"Holds if {conditions[0]}.")
-    if any(v.name == "residual" for v in made.outputs):
+    if any(v.name == "residual" for v in claim.outputs):
         yield "The value is the right-hand side, which vanishes where the equation holds."
-    if made.note:
-        yield from _hanging(made.note)
+    if claim.note:
+        yield from _hanging(claim.note)
     yield ""
 
 
-def _conditions(line: ClaimLine, shown: Callable[[Expr], str]) -> str:
-    return "; ".join(dict.fromkeys(_condition(c, shown) for c in line.assuming))
+def _conditions(line: ClaimLine, spell: Callable[[Expr], str]) -> str:
+    return "; ".join(dict.fromkeys(_condition(c, spell) for c in line.assuming))
 
 
 def _hanging(text: str) -> list[str]:
@@ -213,29 +213,29 @@ def _hanging(text: str) -> list[str]:
     return textwrap.wrap(text, WIDTH - 8, subsequent_indent=indent, break_long_words=False)
 
 
-def _condition(assumption: Assumption, shown: Callable[[Expr], str]) -> str:
-    relation = shown(assumption.condition)
+def _condition(assumption: Assumption, spell: Callable[[Expr], str]) -> str:
+    relation = spell(assumption.condition)
     if assumption.otherwise is not None:
         relation = relation.replace(" = ", " → ", 1).replace(" == ", " → ", 1)
     words = unmarked(assumption.words).rstrip(".")
     return f"{relation} ({words})" if words else relation
 
 
-def _argument(symbol: Symbol, shown: Callable[[Expr], str]) -> str:
+def _argument(symbol: Symbol, spell: Callable[[Expr], str]) -> str:
     quantity = symbol.quantity if isinstance(symbol, Lettered) else VOCABULARY.get(symbol)
-    letter = "" if shown(symbol) == symbol.name else shown(symbol)
+    letter = "" if spell(symbol) == symbol.name else spell(symbol)
     if quantity is None:
         return letter
     unit = "" if quantity.unit in ("", "1") else f" ({quantity.unit})"
     return ", ".join(filter(None, [letter, unmarked(quantity.meaning)])) + unit
 
 
-def _output(value: Output, shown: Callable[[Expr], str]) -> str:
+def _output(value: Output, spell: Callable[[Expr], str]) -> str:
     if value.symbol is None:
-        return "" if value.name == "residual" else shown(value.equation.sides[0])
+        return "" if value.name == "residual" else spell(value.equation.sides[0])
     place = ", ".join(map(str, value.index))
     which = f"{'component' if len(value.index) == 1 else 'entry'} {place} of " if place else ""
-    return which + _argument(value.symbol, shown)
+    return which + _argument(value.symbol, spell)
 
 
 def _aligned(rows: Sequence[tuple[str, str]]) -> Iterator[str]:

@@ -68,26 +68,26 @@ def straight_line(graph: Graph, values: Sequence[Value], names: Iterator[Symbol]
     written = _Written(_turned(nodes, values))
     lines = []
     for k in order:
-        made = written.node(k, nodes[k])
-        if uses[k] > 1 and not made.is_Atom:
+        expression = written.node(k, nodes[k])
+        if uses[k] > 1 and not expression.is_Atom:
             name = next(names)
-            lines.append((name, made))
-            made = name
-        written.known[k] = made
+            lines.append((name, expression))
+            expression = name
+        written.known[k] = expression
     return StraightLine(tuple(lines), tuple(map(written.value, values)))
 
 
 def _in_order(nodes: Mapping[int, Node], wanted: Sequence[int]) -> list[int]:
     """The nodes that are wanted and all their parts, each behind its parts."""
-    made: dict[int, None] = {}
+    ordered: dict[int, None] = {}
     left = list(reversed(wanted))
     while left:
         k = left[-1]
-        missing = [j for j in parts(nodes[k]) if j not in made]
+        missing = [j for j in parts(nodes[k]) if j not in ordered]
         left += reversed(missing)
         if not missing:
-            made[left.pop()] = None
-    return list(made)
+            ordered[left.pop()] = None
+    return list(ordered)
 
 
 def _with_numbers(nodes: dict[int, Node], values: Sequence[Value]) -> None:
@@ -148,13 +148,13 @@ def _pair(nodes: dict[int, Node], kind: type[SumNode] | type[ProductNode]) -> No
             if k != place:
                 items[k].difference_update(pair)
                 for other in items[k]:
-                    made = tuple(sorted((other, single)))
-                    having.setdefault(made, set()).add(k)
-                    fresh.add(made)
+                    couple = tuple(sorted((other, single)))
+                    having.setdefault(couple, set()).add(k)
+                    fresh.add(couple)
                 items[k].add(single)
-        for made in sorted(fresh):
-            if len(having[made]) > 1:
-                heappush(queue, (-len(having[made]), made))
+        for couple in sorted(fresh):
+            if len(having[couple]) > 1:
+                heappush(queue, (-len(having[couple]), couple))
     for k, own in items.items():
         nodes[k] = _of(tuple(sorted(own)), nodes[k])
 
@@ -166,7 +166,7 @@ def _of(items: tuple[Any, ...], like: Node) -> Node:
 
 def _turned(nodes: Mapping[int, Node], values: Sequence[Value]) -> frozenset[int]:
     """The sums that are written with the other sign, which spares a result one."""
-    made = set()
+    turned = set()
     for c, k in values:
         node = nodes[k]
         while isinstance(node, ProductNode):
@@ -174,8 +174,8 @@ def _turned(nodes: Mapping[int, Node], values: Sequence[Value]) -> frozenset[int
             k = next(inner, node.above[0] if node.above else node.below[0])
             node = nodes[k]
         if c < 0 and isinstance(node, SumNode) and any(c < 0 for c, _ in node.terms):
-            made.add(k)
-    return frozenset(made)
+            turned.add(k)
+    return frozenset(turned)
 
 
 @dataclass(frozen=True)
@@ -243,7 +243,7 @@ def in_pieces(
     >>> len(lines), total
     (4, x0 + x1 + x2 + x3)
     """
-    made: list[tuple[Symbol, Expr]] = []
+    assignments: list[tuple[Symbol, Expr]] = []
 
     def is_long(value: Expr) -> bool:
         return len(value.args) > MOST_TERMS and (value.is_Add or value.is_Mul)
@@ -253,7 +253,7 @@ def in_pieces(
         while len(args) > MOST_TERMS:
             groups = [args[k : k + MOST_TERMS] for k in range(0, len(args), MOST_TERMS)]
             pieces = [(next(names), value.func(*group)) for group in groups]
-            made.extend(pieces)
+            assignments.extend(pieces)
             args = tuple(name for name, _ in pieces)
         return value.func(*args)
 
@@ -263,5 +263,5 @@ def in_pieces(
         return value
 
     for name, value in lines:
-        made.append((name, broken(value)))
-    return made, list(map(broken, results))
+        assignments.append((name, broken(value)))
+    return assignments, list(map(broken, results))

@@ -97,10 +97,10 @@ def function(
     for word in (name, *(a.name for a in arguments)):
         if not word.isidentifier() or keyword.iskeyword(word):
             raise ValueError(f"{word!r} cannot be a name in Python")
-    made, reduced = (shared, wanted) if shared else sympy.cse(wanted)
-    taken = {x.name for x in (*arguments, *(x for x, _ in made))}
+    assignments, reduced = (shared, wanted) if shared else sympy.cse(wanted)
+    taken = {x.name for x in (*arguments, *(x for x, _ in assignments))}
     free = (x for x in sympy.numbered_symbols("x") if x.name not in taken)
-    lines, results = in_pieces(made, reduced, free)
+    lines, results = in_pieces(assignments, reduced, free)
     program = StraightLine(tuple(lines), tuple(results))
     try:
         text = source.signature(name, [a.name for a in arguments])
@@ -108,8 +108,8 @@ def function(
     except NotImplementedError as error:
         [what] = re.findall(r"\w+(?='>)", str(error))[-1:] or [str(error)]
         raise ValueError(f"{name}: Python has no {what}") from None
-    known = {word: value for word, value in vars(math).items() if not word.startswith("_")}
-    exec("\n".join(text), known)
+    names = {word: value for word, value in vars(math).items() if not word.startswith("_")}
+    exec("\n".join(text), names)
 
     @cache
     def over_arrays() -> Any:
@@ -121,8 +121,8 @@ def function(
         # An expression that is constant comes back as one number, whatever the shape.
         return np.stack([np.broadcast_to(value, shape) for value in over_arrays()(*inputs)])
 
-    function = Function(known[name], array, program, "\n".join(text))
-    missing = source.names_called(function.definition) - {*known, *dir(builtins)}
+    function = Function(names[name], array, program, "\n".join(text))
+    missing = source.names_called(function.definition) - {*names, *dir(builtins)}
     if missing:
         raise ValueError(f"{name}: Python has no {', '.join(sorted(missing))}")
     return function

@@ -33,11 +33,11 @@ def decimal(number: Any) -> Expr:
     return sympy.Float(number, 70)
 
 
-def number_of(given: Expr) -> Any:
+def number_of(expression: Expr) -> Any:
     """The number that an expression is.  Raises NotRealError where it is no real one."""
-    value = sympy.N(given, 70)
+    value = sympy.N(expression, 70)
     if not value.is_Float and not value.is_Rational:
-        raise NotRealError(str(given))
+        raise NotRealError(str(expression))
     return DIGITS.convert(value)
 
 

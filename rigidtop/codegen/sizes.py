@@ -22,22 +22,22 @@ def with_sizes(graph: Graph, values: Iterable[Value]) -> list[Value]:
     (t0**2*t1, (Abs(x) + Abs(y))**2*Abs(t1))
     """
     values = list(values)
-    known: dict[int, Value] = {}
+    sizes: dict[int, Value] = {}
     for k in graph.below(values):
-        known[k] = _size(graph, k, known)
-    return [x for c, k in values for x in ((c, k), graph.product([(abs(c), 0), known[k]]))]
+        sizes[k] = _size(graph, k, sizes)
+    return [x for c, k in values for x in ((c, k), graph.product([(abs(c), 0), sizes[k]]))]
 
 
-def _size(graph: Graph, k: int, known: dict[int, Value]) -> Value:
+def _size(graph: Graph, k: int, sizes: dict[int, Value]) -> Value:
     """The size of a node, with those of its parts."""
     node = graph.nodes[k]
     if isinstance(node, SumNode):
-        return graph.total((abs(c) * known[j][0], known[j][1]) for c, j in node.terms)
+        return graph.total((abs(c) * sizes[j][0], sizes[j][1]) for c, j in node.terms)
     if isinstance(node, ProductNode):
         below = [_magnitude(graph, j) for j in node.below]
-        return graph.product([known[j] for j in node.above], below)
+        return graph.product([sizes[j] for j in node.above], below)
     if isinstance(node, PowerNode) and isinstance(node.exponent, int):
-        c, j = known[node.base[1]]
+        c, j = sizes[node.base[1]]
         return graph.power((abs(node.base[0]) * c, j), node.exponent)
     return _magnitude(graph, k)
 

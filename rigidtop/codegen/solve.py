@@ -45,15 +45,15 @@ def solved(matrix: MatrixBase, right: Sequence[Expr], names: Iterator[Symbol]) -
     def program(graph: Graph, step: int, names: Iterator[Symbol]) -> StraightLine:
         rows = [[graph.expression(x) for x in matrix.row(i)] for i in range(matrix.rows)]
         column = [graph.expression(x) for x in right]
-        found = solutions(graph, [row[::step] for row in rows[::step]], column[::step])
-        return straight_line(graph, found[::step], names)
+        solution = solutions(graph, [row[::step] for row in rows[::step]], column[::step])
+        return straight_line(graph, solution[::step], names)
 
     # From the first, or from the last: neither is always shorter.
-    made = [
+    programs = [
         somewhere([*matrix, *right], partial(program, step=step, names=own))
         for step, own in zip((1, -1), tee(names), strict=True)
     ]
-    return min(made, key=lambda each: each.operations)
+    return min(programs, key=lambda each: each.operations)
 
 
 def solutions(
@@ -133,7 +133,7 @@ def _pivot(
 
     places = [(i, i) for i in sorted(rows)] if symmetric else []
     for group in (places, [(i, j) for i in sorted(rows) for j in sorted(columns)]):
-        found = [p for p in group if a[p] != ZERO and abs(at[p]) > scale * NEGLIGIBLE]
-        if found:
-            return min(found, key=lambda p: (others(*p), not at[p] > 0, p))
+        candidates = [p for p in group if a[p] != ZERO and abs(at[p]) > scale * NEGLIGIBLE]
+        if candidates:
+            return min(candidates, key=lambda p: (others(*p), not at[p] > 0, p))
     raise SingularError("the matrix is singular")

@@ -89,8 +89,8 @@ class Python(Printer, PythonCodePrinter):
     """Functions as `math` names them; one that nobody knows keeps its name."""
 
     def __init__(self, sorts: bool = True) -> None:
-        known = {"fully_qualified_modules": False, "allow_unknown_functions": True}
-        super().__init__(known | {"order": None if sorts else "none"})
+        defaults = {"fully_qualified_modules": False, "allow_unknown_functions": True}
+        super().__init__(defaults | {"order": None if sorts else "none"})
 
 
 _BREAKS = re.compile(r"(?<= [-+] )|(?<=, )|(?<=[\w)][*/])(?=[\w(])|(?<=\.[*/])")

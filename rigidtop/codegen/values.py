@@ -100,9 +100,9 @@ def values(judgement: Judgement) -> ClaimOutputs:
     """
     printed, others = _sources(judgement)
     for group in (printed, others, [] if printed or others else _led(judgement)):
-        found = _found(group)
-        if found:
-            return _values(judgement, found)
+        sources = _found(group)
+        if sources:
+            return _values(judgement, sources)
     raise NothingToEvaluateError(
         f"{judgement.claim.name} has no expression to evaluate; it holds between vectors, "
         "or says only that something vanishes, differs or stays constant"
@@ -145,8 +145,8 @@ def _source(item: Finding | Step) -> _Source:
     if isinstance(item, Step):
         return _Source(ClaimLine(item.equation, reason=item.reason), {})
     check = item.check
-    said = "Corrected: the notes have it otherwise." if isinstance(check, Correction) else ""
-    return _Source(ClaimLine(check.claimed, check.assuming, said), check.meaning)
+    remark = "Corrected: the notes have it otherwise." if isinstance(check, Correction) else ""
+    return _Source(ClaimLine(check.claimed, check.assuming, remark), check.meaning)
 
 
 # --- From equations to expressions ---------------------------------------------------------------
@@ -158,10 +158,10 @@ def _found(group: Sequence[_Source]) -> list[tuple[_Source, list[Output]]]:
     What is an argument already is no value besides: a function that gives back what it is given
     says nothing.
     """
-    found: list[tuple[_Source, list[Output]]] = []
+    sources: list[tuple[_Source, list[Output]]] = []
     tagged = any(source.equation.tag for source in group)
     for again in (False, True):  # r′ = Oᵀr where r was made from r′: only if there is nothing else
-        known: dict[Symbol, Expr] = {}
+        meanings: dict[Symbol, Expr] = {}
         names: set[str] = set()
         taken: set[str] = set()
         for source in group:
@@ -169,20 +169,20 @@ def _found(group: Sequence[_Source]) -> list[tuple[_Source, list[Output]]]:
                 continue
             if source.equation.sides[0] == 0 and tagged and not source.equation.tag:
                 continue  # a line on the way to the numbered one
-            made = [
-                replace(v, expression=v.expression.xreplace(known))  # τ_b = 2π/Ω_b after Ω_b = …
+            outputs = [
+                replace(v, expression=v.expression.xreplace(meanings))  # τ_b = 2π/Ω_b after Ω_b = …
                 for v in _of_equation(source, again)
             ]
-            new = {v.name for v in made}
-            used = {x.name for v in made for x in v.expression.free_symbols}
-            if made and not new & (names | taken | used):
-                found.append((source, made))
+            new = {v.name for v in outputs}
+            used = {x.name for v in outputs for x in v.expression.free_symbols}
+            if outputs and not new & (names | taken | used):
+                sources.append((source, outputs))
                 names |= new
                 taken |= used
-                known |= {v.symbol: v.expression for v in made if v.symbol and not v.index}
-        if found:
+                meanings |= {v.symbol: v.expression for v in outputs if v.symbol and not v.index}
+        if sources:
             break
-    return found
+    return sources
 
 
 def _of_equation(source: _Source, again: bool) -> Iterator[Output]:
@@ -264,18 +264,18 @@ def _evaluated(
 ) -> tuple[list[Expr], tuple[int, int]] | None:
     """A side as numbers would go into it; None if it stays one of vectors."""
     try:
-        made = value(side, meaning)
+        number = value(side, meaning)
         for assumption in source.line.assuming:
             if isinstance(assumption.condition, Eq):
-                made = made.subs(assumption.condition.lhs, _imposed(assumption))
+                number = number.subs(assumption.condition.lhs, _imposed(assumption))
     except (NoMeaningError, AttributeError, TypeError, KeyError, sympy.ShapeError):
         return None  # a product of vectors that the page leaves without components
-    matrix = isinstance(made, sympy.MatrixBase)
-    entries = [sympy.sympify(e) for e in made] if matrix else [made]
+    matrix = isinstance(number, sympy.MatrixBase)
+    entries = [sympy.sympify(e) for e in number] if matrix else [number]
     symbols = set().union(*(e.free_symbols for e in entries))
     if any(not isinstance(e, Expr) for e in entries) or any(map(_is_vector, symbols)):
         return None
-    return entries, made.shape if matrix else (1, 1)
+    return entries, number.shape if matrix else (1, 1)
 
 
 def _imposed(assumption: Assumption) -> Boolean:
@@ -335,26 +335,26 @@ def _solved(residual: Expr, equation: Equation) -> Iterator[Output]:
 # --- A function of numbers -----------------------------------------------------------------------
 
 
-def _values(judgement: Judgement, found: Sequence[tuple[_Source, list[Output]]]) -> ClaimOutputs:
-    outputs, note = _complete([v for _, made in found for v in made], found)
+def _values(judgement: Judgement, sources: Sequence[tuple[_Source, list[Output]]]) -> ClaimOutputs:
+    outputs, note = _complete([v for _, group in sources for v in group], sources)
     takes = arguments(v.expression for v in outputs)
     return ClaimOutputs(
         judgement.claim.name,
         judgement.claim.says,
         tuple(outputs),
         takes,
-        tuple(source.line for source, _ in found),
-        tuple(_vectors((source for source, _ in found), {x.name for x in takes})),
+        tuple(source.line for source, _ in sources),
+        tuple(_vectors((source for source, _ in sources), {x.name for x in takes})),
         note,
     )
 
 
 def _complete(
-    outputs: list[Output], found: Sequence[tuple[_Source, list[Output]]]
+    outputs: list[Output], sources: Sequence[tuple[_Source, list[Output]]]
 ) -> tuple[list[Output], str]:
     """θ̈ of the heavy top with φ̈ and ψ̈, which an integrator needs besides."""
     system = dict(zip(top.ACCELERATIONS, top.symmetric_top_accelerations(), strict=True))
-    (source, _), *_ = found
+    (source, _), *_ = sources
     output, *others = outputs
     if others or output.symbol not in system:
         return outputs, ""
@@ -366,7 +366,7 @@ def _complete(
 
 def _vectors(sources: Iterable[_Source], takes: set[str]) -> Iterator[tuple[Symbol, Expr]]:
     """Axes of what is resolved along them, and vectors whose components are arguments."""
-    said: set[Symbol] = set()
+    letters: set[Symbol] = set()
     for source in sources:
         left = source.equation.sides[0]
         own = _atoms(source.meaning, left)
@@ -374,7 +374,7 @@ def _vectors(sources: Iterable[_Source], takes: set[str]) -> Iterator[tuple[Symb
         axes = _AXES - {left} if any(map(_is_vector, named)) else set()
         for symbol in s.VOCABULARY:
             components = source.meaning.get(symbol)
-            if symbol in said or not isinstance(components, sympy.MatrixBase):
+            if symbol in letters or not isinstance(components, sympy.MatrixBase):
                 continue
             if components.shape != (3, 1) or sum(map(sympy.count_ops, components)) > 6:
                 continue
@@ -382,7 +382,7 @@ def _vectors(sources: Iterable[_Source], takes: set[str]) -> Iterator[tuple[Symb
             if components.free_symbols & own:
                 continue
             if (symbol in axes and free <= takes) or (symbol in named and free & takes):
-                said.add(symbol)
+                letters.add(symbol)
                 yield symbol, components
 
 
@@ -421,12 +421,12 @@ def arguments(expressions: Iterable[Expr]) -> tuple[Symbol, ...]:
 # --- In the symbols of another notation ----------------------------------------------------------
 
 
-def rewritten(made: ClaimOutputs, written: Callable[[Expr], Expr]) -> ClaimOutputs:
+def rewritten(claim: ClaimOutputs, written: Callable[[Expr], Expr]) -> ClaimOutputs:
     """The same values with other symbols: `written` takes expressions and equations into them.
 
     What is −x of the other notation gives x, with its sign turned.
     """
-    outputs = tuple(_rewritten(output, written) for output in made.outputs)
+    outputs = tuple(_rewritten(output, written) for output in claim.outputs)
     lines = tuple(
         replace(
             line,
@@ -436,25 +436,25 @@ def rewritten(made: ClaimOutputs, written: Callable[[Expr], Expr]) -> ClaimOutpu
                 for a in line.assuming
             ),
         )
-        for line in made.lines
+        for line in claim.lines
     )
     vectors = []
-    for vector, components in made.vectors:
+    for vector, components in claim.vectors:
         sign, own = _own(written(vector))[:2]
         vectors.append((own, sign * written(components)))
     outputs, vectors = _along_axes(outputs, vectors)
     takes = arguments(v.expression for v in outputs)
-    return replace(made, outputs=outputs, arguments=takes, lines=lines, vectors=tuple(vectors))
+    return replace(claim, outputs=outputs, arguments=takes, lines=lines, vectors=tuple(vectors))
 
 
 def _along_axes(
     outputs: tuple[Output, ...], vectors: list[tuple[Symbol, Expr]]
 ) -> tuple[tuple[Output, ...], list[tuple[Symbol, Expr]]]:
     """Components along e₁′, e₂′, e₃ as they are in the other notation: (1, 0, 0), and so on."""
-    known = {stands_for(vector): part for vector, part in vectors}
-    if {s.e1p, s.e2p} - set(known) or any(known[axis].free_symbols for axis in (s.e1p, s.e2p)):
+    axes = {stands_for(vector): part for vector, part in vectors}
+    if {s.e1p, s.e2p} - set(axes) or any(axes[axis].free_symbols for axis in (s.e1p, s.e2p)):
         return outputs, vectors
-    turn = sympy.Matrix.hstack(known[s.e1p], known[s.e2p], sympy.Matrix([0, 0, 1])).T
+    turn = sympy.Matrix.hstack(axes[s.e1p], axes[s.e2p], sympy.Matrix([0, 0, 1])).T
     groups: dict[Expr, list[Output]] = {}
     for output in outputs:
         groups.setdefault(output.symbol, []).append(output)

@@ -148,8 +148,8 @@ class Collection:
 
     def solved_by(self, claims: Iterable[Claim]) -> tuple[Exercise, ...]:
         """The exercises that some of these claims solve: those of no page."""
-        told = {claim.name for page in self.pages for claim in page.claims}
-        wanted = {claim.name for claim in claims} - told
+        names = {claim.name for page in self.pages for claim in page.claims}
+        wanted = {claim.name for claim in claims} - names
         if not wanted:
             return ()
         return tuple(e for e in self.exercises if wanted & {claim.name for claim in e.claims})
@@ -170,16 +170,16 @@ class Collection:
         Last come those of the pages `besides`.
         """
         home = {page.section: page for page in reversed(self.pages)}
-        made = [(page, claim) for page in self.pages for claim in page.claims]
-        made += [
+        claims = [(page, claim) for page in self.pages for claim in page.claims]
+        claims += [
             (home[exercise.section], claim)
             for exercise in self.exercises
             if exercise.section in home
             for claim in exercise.claims
         ]
-        made += [(page, claim) for page in self.besides for claim in page.claims]
+        claims += [(page, claim) for page in self.besides for claim in page.claims]
         once: dict[str, tuple[Page, Claim]] = {}
-        for page, claim in made:
+        for page, claim in claims:
             once.setdefault(claim.name, (page, claim))
         return [*once.values()]
 
@@ -212,8 +212,8 @@ def built_in() -> Collection:
 def _exercises() -> tuple[Exercise, ...]:
     from rigidtop.derivations import exercises
 
-    found: tuple[Exercise, ...] = exercises.EXERCISES
-    return found
+    shipped: tuple[Exercise, ...] = exercises.EXERCISES
+    return shipped
 
 
 def _catalog() -> tuple[Drawing, ...]:
@@ -432,7 +432,7 @@ def _notation(folder: Path, declared: Sequence[Lettered]) -> Notation:
     Modules have their own and those of the lecture that they import.
     """
     name = module_name(folder)
-    modules = [vars(m) for known, m in sys.modules.items() if f"{known}.".startswith(f"{name}.")]
+    modules = [vars(m) for module, m in sys.modules.items() if f"{module}.".startswith(f"{name}.")]
     values = [value for names in modules for value in names.values()]
     used = {value for value in values if isinstance(value, Symbol)} | {
         symbols.const,

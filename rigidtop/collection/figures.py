@@ -40,14 +40,14 @@ def drawings(module: ModuleType, folder: Path) -> tuple[Drawing, ...]:
         return ()
     with in_one_line(folder):
         source = importlib.import_module(f"{module.__name__}.figures")
-    made: tuple[Drawing, ...] = many(getattr(source, "FIGURES", ()), Drawing, "FIGURES")
-    if tuple(each.name for each in made) != names:
-        has = ", ".join(each.name for each in made) or "none"
+    figures: tuple[Drawing, ...] = many(getattr(source, "FIGURES", ()), Drawing, "FIGURES")
+    if tuple(each.name for each in figures) != names:
+        has = ", ".join(each.name for each in figures) or "none"
         raise RigidtopError(
             f"{folder / 'figures.py'}: FIGURES has {has}, and that of __init__.py "
             f"{', '.join(names)}"
         )
-    return made
+    return figures
 
 
 def checked(lecture: Lecture, names: Collection[str]) -> Lecture:

@@ -53,8 +53,8 @@ def imported(folder: Path) -> ModuleType:
 
 
 def _forget(name: str) -> None:
-    for known in [m for m in sys.modules if m == name or m.startswith(f"{name}.")]:
-        del sys.modules[known]
+    for module in [m for m in sys.modules if m == name or m.startswith(f"{name}.")]:
+        del sys.modules[module]
 
 
 @contextmanager
@@ -87,9 +87,9 @@ def _place(error: BaseException, folder: Path) -> str | None:
     if isinstance(error, SyntaxError):
         places.append((error.filename or "", error.lineno))
     for filename, line in reversed(places):
-        shown = _shown(filename, folder)
-        if shown:
-            return f"{shown}, line {line}"
+        path = _shown(filename, folder)
+        if path:
+            return f"{path}, line {line}"
     return None
 
 
@@ -111,28 +111,28 @@ def watched(claim: Claim, folder: Path) -> Claim:
 
     @wraps(claim.evidence)
     def evidence() -> Iterator[Evidence]:
-        found: Any = None
+        evidence: Any = None
         try:
-            found = claim.evidence()
-            if not isinstance(found, Iterable):
+            evidence = claim.evidence()
+            if not isinstance(evidence, Iterable):
                 raise TypeError(f"{claim.name} yields nothing")
-            for item in found:
+            for item in evidence:
                 sound = _sound(item)
                 if isinstance(sound, Check):
-                    refuse_circular(sound, found, claim.evidence)
+                    refuse_circular(sound, evidence, claim.evidence)
                 yield sound
         except Exception as error:
-            raise PageError(said(error, folder, _stands(claim, found, folder))) from error
+            raise PageError(said(error, folder, _stands(claim, evidence, folder))) from error
 
     return replace(claim, evidence=evidence)
 
 
-def _stands(claim: Claim, found: Any, folder: Path) -> str:
+def _stands(claim: Claim, evidence: Any, folder: Path) -> str:
     """Where a claim has come to, or else where it begins."""
     code = getattr(claim.evidence, "__code__", None)
     if code is None:
         return ""
-    frame = getattr(found, "gi_frame", None)
+    frame = getattr(evidence, "gi_frame", None)
     line = code.co_firstlineno if frame is None else frame.f_lineno
     return f"{_shown(code.co_filename, folder)}, line {line}"
 

@@ -19,8 +19,8 @@ _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9.-]*")
 
 
 def claims(pages: Sequence[Page], exercises: Sequence[Exercise]) -> list[Claim]:
-    made = [claim for page in pages for claim in page.claims]
-    return made + [claim for exercise in exercises for claim in exercise.claims]
+    of_pages = [claim for page in pages for claim in page.claims]
+    return of_pages + [claim for exercise in exercises for claim in exercise.claims]
 
 
 def a(value: Any) -> str:
@@ -111,5 +111,5 @@ def problems(letter: Lettered) -> Iterator[str]:
     if unit and units.parsed(unit) is None:
         yield f"the unit {unit!r} of {letter.name} is not known: write it in {units.known()}"
     if not can_be_set(glyph):
-        shown = repr(glyph.base + glyph.sub)
-        yield f"no document can set {shown}, the letter of {letter.name}: take Latin or Greek"
+        spelling = repr(glyph.base + glyph.sub)
+        yield f"no document can set {spelling}, the letter of {letter.name}: take Latin or Greek"

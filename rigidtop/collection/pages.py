@@ -60,12 +60,12 @@ _LINK = re.compile(r"\[([^\]]+)\]\(#[\w-]+\)")
 
 def pages_of(folder: Path) -> tuple[tuple[str, str, str], ...]:
     """The section, the title and the name of each page of a folder, in the order of sections."""
-    found = []
+    pages = []
     for path in sorted(folder.glob("*.md")):
         heading = _SECTION.search(text_of(path))
         if heading is not None:
-            found.append((heading[1], heading[2].strip(), path.stem))
-    return tuple(sorted(found, key=lambda page: [int(part) for part in page[0].split(".")]))
+            pages.append((heading[1], heading[2].strip(), path.stem))
+    return tuple(sorted(pages, key=lambda page: [int(part) for part in page[0].split(".")]))
 
 
 # --- Claims --------------------------------------------------------------------------------------
@@ -132,7 +132,7 @@ def declared(sources: Iterable[tuple[str, str]]) -> Declarations:
     Faults are a row that declares none, a letter that is declared twice and not alike, a unit that
     is not known, and what no document can set.
     """
-    made: dict[Glyph, tuple[Lettered, str]] = {}
+    by_glyph: dict[Glyph, tuple[Lettered, str]] = {}
     faults: list[tuple[str, Fault]] = []
     for name, text in sources:
         for row in rows(text):
@@ -150,7 +150,7 @@ def declared(sources: Iterable[tuple[str, str]]) -> Declarations:
                 if units.parsed(quantity.unit or "1") is None:  # so that its lines are read
                     quantity = replace(quantity, unit="")
                     symbol = Lettered(symbol.name, quantity, **symbol.assumptions0)
-                other, _ = made.setdefault(quantity.glyph, (symbol, kind))
+                other, _ = by_glyph.setdefault(quantity.glyph, (symbol, kind))
                 if other.quantity != quantity:
                     problem = (
                         f"{row.cells[0]} is {other.quantity.meaning!r} already: a letter means one "
@@ -158,8 +158,8 @@ def declared(sources: Iterable[tuple[str, str]]) -> Declarations:
                     )
                     faults.append((name, Fault(row.line, problem, True)))
                     break
-    symbols = in_order(*(symbol for symbol, _ in made.values()))
-    kinds = [kind for _, kind in made.values()]
+    symbols = in_order(*(symbol for symbol, _ in by_glyph.values()))
+    kinds = [kind for _, kind in by_glyph.values()]
     fixed = (x for x, kind in zip(symbols, kinds, strict=True) if kind in _FIXED)
     axes = [x for x, kind in zip(symbols, kinds, strict=True) if kind.endswith("frame")]
     frames = zip(axes[::3], axes[1::3], axes[2::3], strict=True)
@@ -192,11 +192,11 @@ def _row(row: Row) -> Iterator[tuple[Lettered, str]]:
         unit = "" if unit == "–" else unit
         yield make(_name(glyph), glyph, meaning, unit), kind
         if kind.endswith(("coordinate", "vector")) and unit:
-            said = meaning
+            ending = meaning
             for accent, words in (("dot", "rate of"), ("ddot", "second rate of")):
                 unit = _per_second(unit)
                 fast = replace(glyph, accent=accent)
-                yield real(_name(fast), fast, f"{words} {said}", unit), "variable"
+                yield real(_name(fast), fast, f"{words} {ending}", unit), "variable"
 
 
 def _per_second(unit: str) -> str:

@@ -59,9 +59,9 @@ def marked_page(name: str, source: str, marking: Marking) -> str:
         if line.mark not in SOUND
     ]
     points = "{:g} of {:g} points".format(*marking.points)
-    told = "; ".join([points, marking.summary, *marking.lost])
+    summary = "; ".join([points, marking.summary, *marking.lost])
     rest = others(source, marks, macros)
-    return write(name, source, rest, marks, told, beside, "marked", COLOPHON)
+    return write(name, source, rest, marks, summary, beside, "marked", COLOPHON)
 
 
 def _span(source: str, position: int, at: Mapping[int, Formula]) -> tuple[int, int]:
@@ -92,19 +92,19 @@ def _mark(
 ) -> VerdictSpan:
     """The mark of a formula in which some lines stand."""
     start, end = span
-    shown = FormulaSpan(start, end, source[start:end])
+    formula = FormulaSpan(start, end, source[start:end])
     if start in at:
-        shown = framed(at[start], macros)
+        formula = framed(at[start], macros)
     verdict = min((line.mark for line in lines), key=_WORST.index)
     return VerdictSpan(
-        start=shown.start,
+        start=formula.start,
         end=end,
         number="",
         line=lines[0].line,
         verdict=verdict.value,
         passed=verdict in SOUND,
         note="; ".join(_notes(lines)),
-        formulas=(shown,),
+        formulas=(formula,),
     )
 
 
@@ -113,6 +113,6 @@ def _notes(lines: Sequence[Marked]) -> Iterator[str]:
     several = len({line.line for line in lines}) > 1
     for line in lines:
         parts = [line.note, f"right: ${line.right}$" if line.right else ""]
-        told = "; ".join(filter(None, parts))
-        if told:
-            yield f"line {line.line}: {told}" if several else told
+        note = "; ".join(filter(None, parts))
+        if note:
+            yield f"line {line.line}: {note}" if several else note

@@ -79,11 +79,11 @@ class _Server(MCPServer):
 
 def _amiss(error: ValidationError) -> str:
     """Which arguments are missing, and what is wrong with others."""
-    told = [(".".join(map(str, each["loc"])), each) for each in error.errors()]
-    missing = [f"`{name}`" for name, each in told if each["type"] == "missing"]
+    problems = [(".".join(map(str, each["loc"])), each) for each in error.errors()]
+    missing = [f"`{name}`" for name, each in problems if each["type"] == "missing"]
     wrong = [
         f"`{name}` {each['msg'].removeprefix('Input ')}"
-        for name, each in told
+        for name, each in problems
         if each["type"] != "missing"
     ]
     verb = "is" if len(missing) == 1 else "are"

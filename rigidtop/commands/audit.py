@@ -233,18 +233,18 @@ def _of_claims(source: str, audited: Sequence[Copy], macros: Macros) -> Iterator
 
     for each in audited:
         formulas = each.group.formulas
-        shown = tuple(framed(formula, macros) for formula in formulas)
+        frames = tuple(framed(formula, macros) for formula in formulas)
         end = formulas[-1].end
         behind = re.compile(rf"\s*\(\s*{re.escape(each.number)}\s*\)").match(source, end)
         yield VerdictSpan(
-            start=shown[0].start,
+            start=frames[0].start,
             end=behind.end() if behind else end,
             number=each.number,
             line=each.lines[0].row.line,
             verdict=each.verdict,
             passed=each.passed,
             note=f"{each.note}; right: {each.right}" if each.right else each.note,
-            formulas=shown,
+            formulas=frames,
         )
 
 

@@ -49,7 +49,7 @@ def judged_beside(
         return alone()
     unsent: list[str] = []
     try:
-        with _asking(lecture, apart) as (asked, told):
+        with _asking(lecture, apart) as (asked, reply):
 
             def ask(lecture: Lecture, judged: Judged) -> str:
                 try:
@@ -58,19 +58,19 @@ def judged_beside(
                     unsent.append(judged.line.id)
                 return ""
 
-            made = replace(lecture, refuted=ask)
-            for id in over("following lines", [*made.lines]):
-                made.judged(id)
+            asking = replace(lecture, refuted=ask)
+            for id in over("following lines", [*asking.lines]):
+                asking.judged(id)
             asked.put(None)
-            here = moved(made)
+            here = moved(asking)
             outcomes: dict[str, Outcome]
-            outcomes, there = told.recv()
+            outcomes, there = reply.recv()
     except (EOFError, OSError, ImportError):  # the other process has ended, or can't be
         return alone()
     if unsent or any(each.verdict == FALSE for each in outcomes.values()):
         return alone()
-    remember(made, outcomes)
-    return made, here, there
+    remember(asking, outcomes)
+    return asking, here, there
 
 
 def can_fork() -> bool:
@@ -84,25 +84,25 @@ def _asking(lecture: Lecture, apart: Callable[[Lecture], object]) -> Iterator[tu
     """Where to put what is known of a line, pickled, None at last; and where outcomes come from."""
     context = multiprocessing.get_context("fork")
     asked = context.Queue()
-    told, tell = context.Pipe(duplex=False)
-    other = context.Process(target=_answer, args=(lecture, apart, asked, told, tell), daemon=True)
+    reply, tell = context.Pipe(duplex=False)
+    other = context.Process(target=_answer, args=(lecture, apart, asked, reply, tell), daemon=True)
     with warnings.catch_warnings():
         # Python warns of threads; those of the linear algebra are made anew in the copy.
         warnings.simplefilter("ignore", DeprecationWarning)
         other.start()
     tell.close()
     try:
-        yield asked, told
+        yield asked, reply
     finally:
         other.terminate()
         other.join()
-        told.close()
+        reply.close()
         asked.cancel_join_thread()
         asked.close()
 
 
 def _answer(
-    lecture: Lecture, apart: Callable[[Lecture], object], asked: Any, told: Any, tell: Any
+    lecture: Lecture, apart: Callable[[Lecture], object], asked: Any, reply: Any, tell: Any
 ) -> None:
     """Send the outcome of each line by its id, and what is made `apart`: the other process."""
     from rigidtop.judge.page import outcome
@@ -110,11 +110,11 @@ def _answer(
     from rigidtop.proof.equation import as_printed
 
     follow()
-    told.close()
+    reply.close()
     outcomes: dict[str, Outcome] = {}
     with suppress(Exception):  # what does not answer is not asked again
-        while (known := asked.get()) is not None:
+        while (question := asked.get()) is not None:
             with as_printed():  # SymPy makes each tree anew, and is to keep it as it is
-                read = pickle.loads(known)
+                read = pickle.loads(question)
             outcomes[read.id] = outcome(lecture, Judged(lecture.lines[read.id], read))
         tell.send((outcomes, apart(lecture)))

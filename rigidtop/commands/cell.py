@@ -48,13 +48,13 @@ class Audited:
         return sorted(findings, key=lambda each: not each.is_wrong)
 
     def __repr__(self) -> str:
-        told = [
+        lines = [
             f"{each.title} is wrong: {message(each)}"
             if each.is_wrong
             else f"{each.title}: {each.verdict}: {each.words}".removesuffix(": ")
             for each in self.shown
         ]
-        return "\n".join([*told, summary(self.notes.findings)])
+        return "\n".join([*lines, summary(self.notes.findings)])
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, object]:
         """What a front end shows: a table, and the counts; the record goes with it, unseen."""
@@ -69,9 +69,9 @@ class Audited:
             for each in self.shown
         ]
         heads = ("line", "read", "verdict", "", "right")
-        told = "\n".join([*table(heads, rows), "", summary(self.notes.findings)])
+        text = "\n".join([*table(heads, rows), "", summary(self.notes.findings)])
         record = [each.record for each in self.notes.findings]
-        return {"text/plain": repr(self), "text/markdown": told, RECORD: record}
+        return {"text/plain": repr(self), "text/markdown": text, RECORD: record}
 
 
 def audit(line: str, cell: str) -> Audited:
@@ -108,16 +108,16 @@ def points(answer: Answered | None, name: str, most: float, *given: str, folder:
 
 
 @lru_cache(maxsize=64)
-def _share(source: str, name: str, given: tuple[str, ...], folder: str) -> float:
+def _share(source: str, name: str, settings: tuple[str, ...], folder: str) -> float:
     """The part of all points: tests ask for the same answer again and again."""
     with opened([folder] if folder else []) as (collection, _):
         exercises = [replace(x, rubric=x.rubric or Rubric()) for x in collection.exercises]
         subject = subject_of(collection) if folder else None
         try:
-            *_, found = answered(name, source, given, exercises=exercises, subject=subject)
+            *_, marking = answered(name, source, settings, exercises=exercises, subject=subject)
         except RigidtopError:
             return 0.0
-    reached, total = found.points
+    reached, total = marking.points
     return reached / total
 
 

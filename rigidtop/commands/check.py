@@ -138,20 +138,20 @@ def _run(
     from rigidtop.terminal.table import paragraph, table, wants_color
     from rigidtop.typeset.words import unmarked
 
-    found = claims.named(collection, names) if names else claims.every(collection)
+    chosen = claims.named(collection, names) if names else claims.every(collection)
     every = options.thorough and not names
-    solved = collection.solved_by(claim for _, claim in found) if names else collection.exercises
+    solved = collection.solved_by(claim for _, claim in chosen) if names else collection.exercises
     # A claim that only its lines show is judged by them.
-    quick = options.quick and all(claim.evidence is not by_lines for _, claim in found)
+    quick = options.quick and all(claim.evidence is not by_lines for _, claim in chosen)
     lecture = None if quick else collection.as_written(solved)
 
     def judging(lecture: Lecture | None) -> tuple[list[Judgement], dict[Expr, str]]:
-        return judged(found, collection, lecture, not names)
+        return judged(chosen, collection, lecture, not names)
 
     def modelled(lecture: Lecture | None) -> list[str]:
         if lecture is None or not (collection.models or collection.folder is None):
             return []
-        named = [claim.name for _, claim in found] if names or not every else []
+        named = [claim.name for _, claim in chosen] if names or not every else []
         return in_models(lecture, collection.models, named)
 
     if lecture is not None and not names and not options.thorough:
@@ -164,7 +164,7 @@ def _run(
     more = len(amiss)
     ids = None
     if lecture is not None:
-        ids = lecture.leading(claim.name for _, claim in found) if names else None
+        ids = lecture.leading(claim.name for _, claim in chosen) if names else None
         amiss = [*claims.faults(lecture), *claims.gaps(lecture, ids), *amiss]
     amiss += model[:-1]
     more += len(model[:-1])
@@ -193,10 +193,10 @@ def _run(
         print(table(numbers, ("error", "tolerance", "", "compared with a computed motion")))
         print()
     counts = [_counts([*trials.values()])] if trials else []
-    told = [true_in_worlds(lecture)] if lecture is not None and not names else []
+    truths = [true_in_worlds(lecture)] if lecture is not None and not names else []
     besides = f"{more} more told above" if more else ""
     summary = claims.summary(judgements, lecture, ids, besides)
-    for line in (*amiss, *counts, *confirmation, *told, *model[-1:], summary):
+    for line in (*amiss, *counts, *confirmation, *truths, *model[-1:], summary):
         print(paragraph(line))
     return 0 if passed else claims.FAILED
 
@@ -246,7 +246,7 @@ def tried(lecture: Lecture, names: Sequence[str]) -> dict[str, Trial]:
 
 
 def judged(
-    found: Sequence[tuple[Page, Claim]],
+    chosen: Sequence[tuple[Page, Claim]],
     collection: collections.Collection,
     lecture: Lecture | None,
     lines: bool,
@@ -267,7 +267,7 @@ def judged(
             for line in over("following lines", [*lecture.lines.values()]):
                 lecture.judged(line.id)
                 take(f"{line.file}, line {line.at}")
-        for _, judgement in claims.judged(found, collection.letters, lecture):
+        for _, judgement in claims.judged(chosen, collection.letters, lecture):
             judgements.append(judgement)
             take(judgement.claim.name)
     return judgements, places
@@ -277,30 +277,30 @@ def confirmed(zeros: Mapping[Expr, str]) -> tuple[list[str], list[str]]:
     """What another arithmetic refutes of what was found to be zero, a line each, and the counts."""
     from rigidtop.proof.confirmation import confirmed
 
-    found = {zero: confirmed(zero) for zero in over("confirming", [*zeros])}
+    truths = {zero: confirmed(zero) for zero in over("confirming", [*zeros])}
     denied = [
         f"{zeros[x]}: another arithmetic refutes that this is 0: {x}"
-        for x, each in found.items()
+        for x, each in truths.items()
         if each is False
     ]
-    right, unknown = (sum(each is said for each in found.values()) for said in (True, None))
+    right, unknown = (sum(each is truth for each in truths.values()) for truth in (True, None))
     more = f", {unknown} of which it knows no value" if unknown else ""
     counts = f"{right} zero{'s' * (right != 1)} confirmed by another arithmetic, {len(denied)} not"
     return denied, [counts + more]
 
 
 def _amiss(place: str, trial: Trial) -> list[str]:
-    made = [f"{place}: {cited} is not needed" for cited in trial.unneeded]
-    return made + [f"{place}: it still follows with {what}" for what in trial.survived]
+    faults = [f"{place}: {cited} is not needed" for cited in trial.unneeded]
+    return faults + [f"{place}: it still follows with {what}" for what in trial.survived]
 
 
 def _counts(trials: Sequence[Trial]) -> str:
     """How much was tried, and how much of it stood."""
-    made = [trial for trial in trials if trial.changes]
-    premises, changes = sum(t.premises for t in made), sum(t.changes for t in made)
-    fewest = min((trial.changes for trial in made), default=0)
-    stood = sum(len(trial.unneeded) + len(trial.survived) for trial in made)
+    tried = [trial for trial in trials if trial.changes]
+    premises, changes = sum(t.premises for t in tried), sum(t.changes for t in tried)
+    fewest = min((trial.changes for trial in tried), default=0)
+    stood = sum(len(trial.unneeded) + len(trial.survived) for trial in tried)
     return (
-        f"{len(made)} lines: {premises} premises dropped, {changes} changes, at least {fewest} a "
+        f"{len(tried)} lines: {premises} premises dropped, {changes} changes, at least {fewest} a "
         f"line; {stood or 'none'} of them passed unnoticed"
     )

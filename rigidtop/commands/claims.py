@@ -48,36 +48,36 @@ def every(collection: collections.Collection) -> list[tuple[Page, Claim]]:
 def named(collection: collections.Collection, names: Sequence[str]) -> list[tuple[Page, Claim]]:
     """The claims of these names and sections, in reading order; (3.57) is 3.57."""
     claims = every(collection)
-    known = {claim.name for _, claim in claims}
-    if not all(collection.section(name) or name.strip("()") in known for name in names):
+    bare_names = {claim.name for _, claim in claims}
+    if not all(collection.section(name) or name.strip("()") in bare_names for name in names):
         claims = collection.claims()
-        known = {claim.name for _, claim in claims}
+        bare_names = {claim.name for _, claim in claims}
     wanted: set[str] = set()
     for name in names:
         bare, pages = name.strip("()"), collection.section(name)
-        if bare not in known and not pages:
-            raise RigidtopError(_unknown(collection, name, known))
+        if bare not in bare_names and not pages:
+            raise RigidtopError(_unknown(collection, name, bare_names))
         # An equation's number is none of a section.
-        wanted |= {bare} if bare in known else {c.name for page in pages for c in page.claims}
+        wanted |= {bare} if bare in bare_names else {c.name for page in pages for c in page.claims}
     return [(page, claim) for page, claim in claims if claim.name in wanted]
 
 
-def _unknown(collection: collections.Collection, name: str, known: Iterable[str]) -> str:
+def _unknown(collection: collections.Collection, name: str, names: Iterable[str]) -> str:
     """What is said of a name that no claim has: what may be meant, or where names are found."""
     from difflib import get_close_matches
 
     if _SECTION.fullmatch(name):
         return f"no section {name!r}; there are {', '.join(p.section for p in collection.pages)}"
-    said = f"no equation or claim {name!r}"
+    problem = f"no equation or claim {name!r}"
     elsewhere = _elsewhere(collection)
     if name in elsewhere:
-        return f"{said}; did you mean {elsewhere[name]}?"
-    near = get_close_matches(name, {*known, *elsewhere}, n=3, cutoff=0.5)
+        return f"{problem}; did you mean {elsewhere[name]}?"
+    near = get_close_matches(name, {*names, *elsewhere}, n=3, cutoff=0.5)
     if near:
-        return f"{said}; did you mean {' or '.join(elsewhere.get(each, each) for each in near)}?"
+        return f"{problem}; did you mean {' or '.join(elsewhere.get(each, each) for each in near)}?"
     if name and Path(name).is_dir():
-        return f"{said}; the folder of this name has no __init__.py"
-    listing = f"{said}; `{collection.command('list')}` names "
+        return f"{problem}; the folder of this name has no __init__.py"
+    listing = f"{problem}; `{collection.command('list')}` names "
     if len(collection.claims()) == len(every(collection)):
         return f"{listing}them all"
     return f"{listing}those of the lecture, `{collection.command('exercise')} NAME` an exercise's"
@@ -85,12 +85,12 @@ def _unknown(collection: collections.Collection, name: str, known: Iterable[str]
 
 def _elsewhere(collection: collections.Collection) -> dict[str, str]:
     """Names of what is no claim, with the commands that ask for it."""
-    found = {e.name: f"`{collection.command('exercise')} {e.name}`" for e in collection.exercises}
+    hints = {e.name: f"`{collection.command('exercise')} {e.name}`" for e in collection.exercises}
     if collection.folder is None:
         from rigidtop.figures.catalog import FIGURES
 
-        found = {figure.name: f"`rigidtop figure {figure.name}`" for figure in FIGURES} | found
-    return found
+        hints = {figure.name: f"`rigidtop figure {figure.name}`" for figure in FIGURES} | hints
+    return hints
 
 
 def judged(
@@ -129,8 +129,8 @@ def summary(
     from rigidtop.proof.verdict import Verdict
 
     counts = [(verdict.value, sum(j.verdict is verdict for j in judgements)) for verdict in Verdict]
-    shown = ", ".join(f"{count} {name}" for name, count in counts if count)
-    parts = [f"{counted(len(judgements), 'claim')}: {shown}" if judgements else "no claims"]
+    verdicts = ", ".join(f"{count} {name}" for name, count in counts if count)
+    parts = [f"{counted(len(judgements), 'claim')}: {verdicts}" if judgements else "no claims"]
     wrong = 0
     if lecture is not None:
         lines, gaps = len(lecture.lines if ids is None else ids), len(lecture.gaps(ids))

@@ -72,9 +72,9 @@ def write_class(folder: Path, judge: Callable[[str, str], Marking], output: Path
         writer.writerow([_cell(x) if isinstance(x, str) else x for x in sheets[-1].cells])
     unmarked = sum(sheet.marking is None for sheet in sheets)
     kinds = Counter(slip for sheet in sheets for slip in {line.slip for line in sheet.slips})
-    told = ", ".join(f"{words} ({count})" for words, count in kinds.most_common())
+    listed = ", ".join(f"{words} ({count})" for words, count in kinds.most_common())
     count = f"{_answers(len(files))}{f', {unmarked} of them not marked' * bool(unmarked)}"
-    print(f"{count}; slips: {told or 'none that is named'}", file=sys.stderr)
+    print(f"{count}; slips: {listed or 'none that is named'}", file=sys.stderr)
     if output is not None:
         others = [Sheet(path.name, problem="neither .tex nor .md") for path in _left(paths, files)]
         pages = _pages(folder.resolve().name, sheets, others)
@@ -98,9 +98,9 @@ def _answers(count: int) -> str:
     return f"{count} answer{'s' * (count != 1)}"
 
 
-def _cell(said: str) -> str:
+def _cell(value: str) -> str:
     """Text that a spreadsheet does not take for a formula."""
-    return f"'{said}" if said[:1] in ("=", "+", "-", "@", "\t", "\r") else said
+    return f"'{value}" if value[:1] in ("=", "+", "-", "@", "\t", "\r") else value
 
 
 def _left(paths: Sequence[Path], files: Sequence[Path]) -> list[Path]:
@@ -139,11 +139,11 @@ def _index(title: str, names: dict[str, Sheet], left: Sequence[Sheet]) -> str:
     from rigidtop.report.html import page
 
     passed = sum(sheet.marking is not None and sheet.marking.passed for sheet in names.values())
-    told = f"{_answers(len(names))} marked, {passed} passed"
+    summary = f"{_answers(len(names))} marked, {passed} passed"
     heads = ("answer", "points", "passed", "wrong line", "what is said")
     whole = f"""<main class="page" id="content">
 <header class="summary"><h1>{_text(title)}, marked</h1>
-<p>{told}{f"; not marked: {len(left)}" * bool(left)}.</p></header>
+<p>{summary}{f"; not marked: {len(left)}" * bool(left)}.</p></header>
 <h2>The commonest slips</h2>
 {_table(("slip", "answers", "an example"), _slips(names)) or "<p>None that is named.</p>"}
 <h2>The marks</h2>
@@ -157,10 +157,10 @@ def _index(title: str, names: dict[str, Sheet], left: Sequence[Sheet]) -> str:
 
 
 def _row(name: str, sheet: Sheet) -> list[str]:
-    _, points, of, passed, wrong, slips, said = map(str, sheet.cells)
-    told = f"{said}: {slips}" if slips else said
+    _, points, of, passed, wrong, slips, summary = map(str, sheet.cells)
+    words = f"{summary}: {slips}" if slips else summary
     mark = "✓" if passed == "True" else "✗"
-    return [_link(name, sheet), f"{points} of {of}", mark, _text(wrong), _text(told)]
+    return [_link(name, sheet), f"{points} of {of}", mark, _text(wrong), _text(words)]
 
 
 def _slips(names: dict[str, Sheet]) -> Iterator[list[str]]:

@@ -72,12 +72,12 @@ def _run(collection: Collection, name: str, options: argparse.Namespace) -> int:
 
 def derived(collection: Collection, name: str) -> tuple[Judgement, Lecture]:
     """A claim as it is judged, and the lecture that derives it."""
-    found = claims.named(collection, [name])
-    if len(found) != 1:
-        names = " ".join(claim.name for _, claim in found)
+    chosen = claims.named(collection, [name])
+    if len(chosen) != 1:
+        names = " ".join(claim.name for _, claim in chosen)
         raise RigidtopError(f"{name} is a section; derive one of its claims: {names}")
-    lecture = collection.lecture_with(collection.solved_by(claim for _, claim in found))
-    [(_, judgement)] = claims.judged(found, collection.letters, lecture)
+    lecture = collection.lecture_with(collection.solved_by(claim for _, claim in chosen))
+    [(_, judgement)] = claims.judged(chosen, collection.letters, lecture)
     return judgement, lecture
 
 
@@ -89,9 +89,9 @@ def record(
     from rigidtop.report.lines import way_record
     from rigidtop.report.wording import Wording
 
-    said = records.record(Wording(notation).judgement(judgement))
+    about = records.record(Wording(notation).judgement(judgement))
     way, starts = way_record(lecture, judgement.claim.name, notation, deep)
-    return {**said, "steps": way, "rests_on": starts}
+    return {**about, "steps": way, "rests_on": starts}
 
 
 def _source(options: argparse.Namespace, judgement: Judgement, notation: Notation) -> int:
@@ -100,19 +100,19 @@ def _source(options: argparse.Namespace, judgement: Judgement, notation: Notatio
     from rigidtop.typeset.text import text
 
     try:
-        made = source(rewritten(values(judgement), notation.written), options.format, text)
+        program = source(rewritten(values(judgement), notation.written), options.format, text)
     except (NothingToEvaluateError, ValueError) as error:  # ValueError: no such function there
         raise RigidtopError(str(error)) from None
     if options.json:
         print_json(
             {
-                "name": made.name,
-                "language": made.language,
-                "arguments": made.arguments,
-                "returns": made.returns,
-                "source": made.text,
+                "name": program.name,
+                "language": program.language,
+                "arguments": program.arguments,
+                "returns": program.returns,
+                "source": program.text,
             }
         )
     else:
-        print(made.text, end="")
+        print(program.text, end="")
     return 0 if judgement.passed else claims.FAILED

@@ -63,12 +63,12 @@ class History:
         judge = Judge()
 
         def made(asked: Asked) -> Step:
-            known = self.steps[-1].behind if self.steps else start(read)
+            behind = self.steps[-1].behind if self.steps else start(read)
             as_before = next((x for each in older if (x := each.carried(self.steps))), None)
             if as_before is not None:
                 return as_before
             why = refusal(asked, read)
-            return _refused(asked, why, known) if why else step(asked, read, judge, known, until)
+            return _refused(asked, why, behind) if why else step(asked, read, judge, behind, until)
 
         try:
             for asked in read.asked:
@@ -107,11 +107,11 @@ class History:
         self.read, self.steps = read, []
 
 
-def _refused(asked: Asked, why: str, known: Known) -> Step:
+def _refused(asked: Asked, why: str, behind: Known) -> Step:
     """What is left open; behind it the same is known as before."""
     outcome = Outcome(UNDECIDED, why)
     return Step(
-        asked, Row(asked.line, asked.statement, outcome, asked.passage, asked.number), known
+        asked, Row(asked.line, asked.statement, outcome, asked.passage, asked.number), behind
     )
 
 

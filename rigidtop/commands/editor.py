@@ -118,13 +118,13 @@ class Editor:
         looks = [_soon()] if document.audit is not None else []
         for is_enough in (*looks, lambda: False):
             try:
-                told, is_whole = self._told(document, text, is_old, is_enough)
+                diagnostics, is_whole = self._told(document, text, is_old, is_enough)
             except OldTextError:
                 return
             if is_old():
                 return
             # Without a version it holds until there is more to tell.
-            self._publish(document, told, version if is_whole else None)
+            self._publish(document, diagnostics, version if is_whole else None)
             if is_whole:
                 return
 
@@ -148,9 +148,9 @@ class Editor:
         return [*self._wrong(document, audit)], audit.is_whole
 
     def _publish(
-        self, document: OpenDocument, told: list[lsp.Diagnostic], version: int | None = None
+        self, document: OpenDocument, diagnostics: list[lsp.Diagnostic], version: int | None = None
     ) -> None:
-        params = lsp.PublishDiagnosticsParams(document.uri, told, version)
+        params = lsp.PublishDiagnosticsParams(document.uri, diagnostics, version)
         self.server.text_document_publish_diagnostics(params)
 
     def _wrong(self, document: OpenDocument, audit: Audit) -> Iterator[lsp.Diagnostic]:
@@ -175,8 +175,8 @@ class Editor:
         _, audit, remarks = self._asked(params)
         if audit is None or not remarks:
             return None
-        said = "\n\n".join(dict.fromkeys(_words(each.finding) for each in remarks))
-        content = lsp.MarkupContent(lsp.MarkupKind.PlainText, visible(said))
+        words = "\n\n".join(dict.fromkeys(_words(each.finding) for each in remarks))
+        content = lsp.MarkupContent(lsp.MarkupKind.PlainText, visible(words))
         return lsp.Hover(content, _range(audit, remarks[0]))
 
     def definition(self, params: lsp.DefinitionParams) -> list[lsp.Location]:

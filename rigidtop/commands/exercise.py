@@ -146,8 +146,8 @@ def _questions(
         _write(collection, unsolved, options, notation if notation.images else None)
     else:
         named = not notation.images
-        told = [question(Wording(notation).of(x), values, named=named) for x, values in asked]
-        print("\n\n".join(map(fragment, told)), end="")
+        questions = [question(Wording(notation).of(x), values, named=named) for x, values in asked]
+        print("\n\n".join(map(fragment, questions)), end="")
     return 0
 
 

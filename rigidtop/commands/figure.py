@@ -143,9 +143,9 @@ def _check(
     from rigidtop.terminal.files import check_folder
 
     if kind not in STILL + MOVING:
-        found = f"not .{kind}" if kind else f"and {str(path)!r} has none"
+        ending = f"not .{kind}" if kind else f"and {str(path)!r} has none"
         raise RigidtopError(
-            f"--output wants a file with the suffix .svg, .pdf, .png, .gif or .mp4, {found}"
+            f"--output wants a file with the suffix .svg, .pdf, .png, .gif or .mp4, {ending}"
         )
     if kind in MOVING and drawing.animate is None:
         those = ", ".join(each.name for each in figures if each.animate is not None) or "nothing"

@@ -94,10 +94,10 @@ class AuditFinding:
     @property
     def record(self) -> dict[str, Any]:
         place = self.place.record if self.place is not None else {"line": None}
-        said = {key: getattr(self, key) for key in ("name", "verdict", "passed", "note")}
+        record = {key: getattr(self, key) for key in ("name", "verdict", "passed", "note")}
         lines = list(dict.fromkeys(place.short for place, _ in self.against))
-        known: dict[str, Any] = {"reference": "", "assumptions": [], "equations": []}
-        return {**known, **said, **place, "from": lines, **self.more}
+        of_claim: dict[str, Any] = {"reference": "", "assumptions": [], "equations": []}
+        return {**of_claim, **record, **place, "from": lines, **self.more}
 
     @property
     def words(self) -> str:
@@ -148,8 +148,8 @@ def _equation(row: Row, outcome: Outcome, place: Placing) -> dict[str, Any]:
     """The record of a statement; what was read is None where it was not."""
     at, column = place(row.position)
     problem = outcome.why if outcome.verdict in (UNDECIDED, UNREAD) else ""
-    told = {"read": _in_words(row.statement), "verdict": outcome.verdict, "problem": problem}
-    return {"line": at.line, "column": column, **told}
+    record = {"read": _in_words(row.statement), "verdict": outcome.verdict, "problem": problem}
+    return {"line": at.line, "column": column, **record}
 
 
 def of_place(line: int, reason: str, file: str = "") -> AuditFinding:
@@ -267,8 +267,8 @@ def summary(findings: Sequence[AuditFinding]) -> str:
     if of[Of.CLAIM]:
         verdicts = [each.verdict for each in of[Of.CLAIM]]
         counts = [(verdicts.count(x), x) for x in (*_OF_CLAIMS, UNREAD, "unknown")]
-        shown = ", ".join(f"{count} {verdict}" for count, verdict in counts if count)
-        parts.append(f"{_counted(len(verdicts), 'numbered equation')}: {shown}")
+        counted = ", ".join(f"{count} {verdict}" for count, verdict in counts if count)
+        parts.append(f"{_counted(len(verdicts), 'numbered equation')}: {counted}")
     if of[Of.FILE]:
         other = "other formula" if of[Of.CLAIM] else "formula"
         parts.append(f"{_counted(len(of[Of.FILE]), other)}: {'; '.join(_parts(of[Of.FILE]))}")

@@ -75,8 +75,8 @@ def run(options: argparse.Namespace) -> int:
     if options.output is not None and kind not in KINDS:
         raise RigidtopError("--output wants a file with the suffix .svg, .pdf or .png")
     data = recording(options.file, options.since, options.to)
-    given = {f"lambda{k}": getattr(options, f"lambda{k}") for k in (1, 2, 3)}
-    fit: Fit[Any] = _fit()(data.t, **data.columns, **given, misalignment=options.misalignment)
+    moments = {f"lambda{k}": getattr(options, f"lambda{k}") for k in (1, 2, 3)}
+    fit: Fit[Any] = _fit()(data.t, **data.columns, **moments, misalignment=options.misalignment)
     if options.output is not None:
         from rigidtop.figures.trajectories import compared
         from rigidtop.terminal.files import write_whole
@@ -87,7 +87,7 @@ def run(options: argparse.Namespace) -> int:
         return 0
     from rigidtop.terminal.table import paragraph, table
 
-    scaled = any(x is not None for x in given.values())
+    scaled = any(x is not None for x in moments.values())
     print(table(_rows(fit, scaled), ("", "value", "error", "unit"), right=(1, 2)) + "\n")
     for line in _words(fit, scaled):
         print(paragraph(line))
@@ -111,9 +111,9 @@ def _rows(fit: Fit[Any], scaled: bool) -> list[tuple[str, str, str, str]]:
         if scaled and name[:1] in "lLE":
             unit = SCALED[unit]
         digits = 3 if not error else 2 + max(0, _power(value) - _power(error))
-        shown = f"{value:#.{digits}g}".rstrip(".") if error else f"{value:g}"
+        value_text = f"{value:#.{digits}g}".rstrip(".") if error else f"{value:g}"
         rows.append(
-            (written, shown, f"{error:.2g}" if error else "given" if scaled else "unit", unit)
+            (written, value_text, f"{error:.2g}" if error else "given" if scaled else "unit", unit)
         )
     return rows
 

@@ -57,8 +57,8 @@ def sarif(audits: Sequence[Notes]) -> str:
         for notes, each in _wrong(audits)
     ]
     runs = [{"tool": {"driver": driver}, "results": results}]
-    said = {"$schema": SCHEMA, "version": "2.1.0", "runs": runs}
-    return json.dumps(said, ensure_ascii=False, indent=1)
+    log = {"$schema": SCHEMA, "version": "2.1.0", "runs": runs}
+    return json.dumps(log, ensure_ascii=False, indent=1)
 
 
 def _location(file: str, line: int) -> dict[str, Any]:
@@ -93,8 +93,8 @@ def _suite(suites: ElementTree.Element, notes: Notes) -> None:
             failure = ElementTree.SubElement(case, "failure", {"message": visible(each.note)})
             failure.text = visible(message(each))
         elif each.passed is None:
-            said = visible(f"{each.verdict}: {each.note}")
-            ElementTree.SubElement(case, "skipped", {"message": said})
+            reason = visible(f"{each.verdict}: {each.note}")
+            ElementTree.SubElement(case, "skipped", {"message": reason})
 
 
 FORMATS: Mapping[str, Callable[[Sequence[Notes]], str]] = {

@@ -60,24 +60,24 @@ class GradedExercise:
 def asked(
     collection: Collection,
     exercises: Sequence[Exercise],
-    given: Sequence[str],
+    settings: Sequence[str],
     points: float | None,
 ) -> list[GradedExercise]:
     """What the exercises ask.  Raises RigidtopError for one of which nothing can be marked."""
     folder = "" if collection.folder is None else f"{collection.folder}/"
-    found = []
+    graded = []
     for exercise in exercises:
         try:
             subject = subject_of(collection) if folder else top()
             goal = ends_of(exercise, subject) if folder else ends(exercise.name)
         except RigidtopError:
             goal = None
-        values = tuple(numbers(exercise, given).values())
+        values = tuple(numbers(exercise, settings).values())
         if goal is None and not values:
             raise RigidtopError(f"of {exercise.name} nothing can be marked")
         most = points or (exercise.rubric or Rubric()).total
-        found.append(GradedExercise(exercise, tuple(given), goal, values, most, folder))
-    return found
+        graded.append(GradedExercise(exercise, tuple(settings), goal, values, most, folder))
+    return graded
 
 
 # --- Notebooks -----------------------------------------------------------------------------------
@@ -150,16 +150,16 @@ def _call(each: GradedExercise, k: int) -> str:
     return f"points(globals().get('answer_{k}'), {name}, {each.points:g}{words}{folder})"
 
 
-def _code(source: str, name: str, **told: Any) -> dict[str, Any]:
-    return _cell("code", source, name, **told)
+def _code(source: str, name: str, **options: Any) -> dict[str, Any]:
+    return _cell("code", source, name, **options)
 
 
-def _cell(kind: str, source: str, name: str = "", **told: Any) -> dict[str, Any]:
+def _cell(kind: str, source: str, name: str = "", **options: Any) -> dict[str, Any]:
     """A cell of a notebook; with a name it is one that nbgrader knows."""
-    known = {"grade": False, "solution": False, "locked": False, "task": False, "schema_version": 3}
-    metadata = {"nbgrader": {**known, "grade_id": name, **told}} if name else {}
-    made = {"cell_type": kind, "metadata": metadata, "source": source.splitlines(keepends=True)}
-    return {**made, "execution_count": None, "outputs": []} if kind == "code" else made
+    flags = {"grade": False, "solution": False, "locked": False, "task": False, "schema_version": 3}
+    metadata = {"nbgrader": {**flags, "grade_id": name, **options}} if name else {}
+    cell = {"cell_type": kind, "metadata": metadata, "source": source.splitlines(keepends=True)}
+    return {**cell, "execution_count": None, "outputs": []} if kind == "code" else cell
 
 
 def _notebook(cells: Sequence[dict[str, Any]]) -> str:
@@ -187,10 +187,10 @@ def moodle(exercises: Sequence[GradedExercise]) -> dict[str, str]:
         fields = [x for x in each.numbers if not isinstance(x.value, str)]
         if not fields:
             raise RigidtopError(f"{each.exercise.name} asks for no numbers, which Moodle compares")
-        made = ElementTree.SubElement(quiz, "question", {"type": "cloze"})
-        name = ElementTree.SubElement(ElementTree.SubElement(made, "name"), "text")
+        question = ElementTree.SubElement(quiz, "question", {"type": "cloze"})
+        name = ElementTree.SubElement(ElementTree.SubElement(question, "name"), "text")
         name.text = unmarked(each.exercise.title)
-        text = ElementTree.SubElement(made, "questiontext", {"format": "html"})
+        text = ElementTree.SubElement(question, "questiontext", {"format": "html"})
         ElementTree.SubElement(text, "text").text = _html(each, fields)
     ElementTree.indent(quiz)
     return {"exercises.xml": ElementTree.tostring(quiz, "unicode", xml_declaration=True) + "\n"}
@@ -198,10 +198,10 @@ def moodle(exercises: Sequence[GradedExercise]) -> dict[str, str]:
 
 def _html(each: GradedExercise, fields: Sequence[Answer]) -> str:
     values = settings(each.exercise.parameters, each.given)
-    said = [" ".join(part.split()) for part in each.exercise.statement.split("\n\n")]
-    given = [f"{p.about}: {values[p.name]:.6g}{_unit(p.unit)}" for p in each.exercise.parameters]
-    parts = [f"<p>{_words(part)}</p>" for part in said]
-    parts += ["<ul>", *(f"<li>{_words(part)}</li>" for part in given), "</ul>"] if given else []
+    paragraphs = [" ".join(part.split()) for part in each.exercise.statement.split("\n\n")]
+    listed = [f"{p.about}: {values[p.name]:.6g}{_unit(p.unit)}" for p in each.exercise.parameters]
+    parts = [f"<p>{_words(part)}</p>" for part in paragraphs]
+    parts += ["<ul>", *(f"<li>{_words(part)}</li>" for part in listed), "</ul>"] if listed else []
     for x in fields:
         allowed = abs(float(x.value)) * TOLERANCE or 1e-9
         field = f"{{1:NUMERICAL:={float(x.value):.8g}:{allowed:.2g}}}"

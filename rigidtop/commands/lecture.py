@@ -126,13 +126,13 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
     check_folder(options.output)  # before half a minute of work, not after it
     lines = collection.lecture_with(collection.exercises)
     every = claims.every(collection)
-    told = [*claims.judged(every, collection.letters, lines)]
-    judgements = [judgement for _, judgement in told]
+    pairs = [*claims.judged(every, collection.letters, lines)]
+    judgements = [judgement for _, judgement in pairs]
     # A page without claims is read like any other.
-    judged = [(page, [j for home, j in told if home is page]) for page in collection.pages]
-    known = {judgement.claim.name: judgement for judgement in judgements}
+    judged = [(page, [j for home, j in pairs if home is page]) for page in collection.pages]
+    by_name = {judgement.claim.name: judgement for judgement in judgements}
     solutions = [
-        solved(each, judged=known, lines=lines) for each in over("solving", collection.exercises)
+        solved(each, judged=by_name, lines=lines) for each in over("solving", collection.exercises)
     ]
     files = write_lecture(
         judged,
@@ -165,8 +165,8 @@ def _run(collection: Collection, options: argparse.Namespace) -> int:
         print_json({"files": [str(file) for file in files], "passed": passed})
     else:
         print(paragraph(_listed(files, options.output)))
-        said = f"NOT CONFIRMED: {', '.join(unsolved)}" if unsolved else "every number confirmed"
-        solved_all = f"{claims.counted(len(solutions), 'exercise')} solved; {said}"
+        outcome = f"NOT CONFIRMED: {', '.join(unsolved)}" if unsolved else "every number confirmed"
+        solved_all = f"{claims.counted(len(solutions), 'exercise')} solved; {outcome}"
         missing = f"{claims.counted(len(unsolved), 'exercise')} not confirmed" if unsolved else ""
         summary = claims.summary(judgements, lines, more=missing)
         for each in (solved_all, *amiss, summary):

@@ -33,11 +33,11 @@ def run(options: argparse.Namespace) -> int:
     if options.chapters:
         return _chapters(options)
     with opened(options.name) as (collection, names):
-        found = claims.named(collection, names) if names else claims.every(collection)
+        chosen = claims.named(collection, names) if names else claims.every(collection)
     if options.json:
-        print_json([claim_record(claim, page.section) for page, claim in found])
+        print_json([claim_record(claim, page.section) for page, claim in chosen])
         return 0
-    rows = [[page.section, claim.name, unmarked(claim.says)] for page, claim in found]
+    rows = [[page.section, claim.name, unmarked(claim.says)] for page, claim in chosen]
     print(table(rows, ("section", "claim", "what the notes assert")))
     return 0
 

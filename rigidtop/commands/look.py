@@ -34,15 +34,15 @@ def add_look(parser: argparse.ArgumentParser) -> None:
 
 def front_of(options: argparse.Namespace, front: Front) -> Front:
     """The first page with one's own title, author, course and date."""
-    title, *told = (_words(options, name) for name in ("title", "author", "course", "date"))
-    if told[-1] == "today":
-        told[-1] = date.today().isoformat()
+    title, *lines = (_words(options, name) for name in ("title", "author", "course", "date"))
+    if lines[-1] == "today":
+        lines[-1] = date.today().isoformat()
     return replace(
         front,
         title=title or front.title,
         exercises=title or front.exercises,
-        author=told[0] or front.author,
-        byline=", ".join(filter(None, told)),
+        author=lines[0] or front.author,
+        byline=", ".join(filter(None, lines)),
     )
 
 

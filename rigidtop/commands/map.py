@@ -52,8 +52,8 @@ def _run(
     from rigidtop.terminal.table import paragraph
 
     whole = lecture.map
-    shown = part(whole, names) if names else whole
-    falling = [name for name in shown if lecture.gaps(lecture.leading([name]))]
+    entries = part(whole, names) if names else whole
+    falling = [name for name in entries if lecture.gaps(lecture.leading([name]))]
     code = claims.FAILED if falling else 0
     if options.output is not None:
         from rigidtop.terminal.files import check_folder, write_whole
@@ -63,7 +63,7 @@ def _run(
         if kind not in KINDS:
             raise RigidtopError(f"{options.output}: draw it as .svg, .pdf or .png")
         check_folder(path.parent)
-        write_whole(path, drawn(lecture, shown, kind, notation))
+        write_whole(path, drawn(lecture, entries, kind, notation))
         if not options.json:
             print(path)
             return code
@@ -77,7 +77,7 @@ def _run(
                         "falls_with": list(lecture.resting(name)),
                         "follows": name not in falling,
                     }
-                    for name, on in shown.items()
+                    for name, on in entries.items()
                     if name not in lecture.laws
                 ],
                 "laws": [
@@ -86,16 +86,16 @@ def _run(
                         "name": label(lecture, name, notation),
                         "source": lecture.lines[name].source,
                     }
-                    for name in shown
+                    for name in entries
                     if name in lecture.laws
                 ],
             }
         )
         return code
-    for name, on in shown.items():
+    for name, on in entries.items():
         if name not in lecture.laws:
-            said = ", ".join(label(lecture, each, notation) for each in on) or "definitions alone"
-            print(paragraph(f"{label(lecture, name, notation)}: {said}", rest="  "))
+            basis = ", ".join(label(lecture, each, notation) for each in on) or "definitions alone"
+            print(paragraph(f"{label(lecture, name, notation)}: {basis}", rest="  "))
     for name in names:
         below = [label(lecture, each, notation) for each in lecture.resting(name)]
         this = label(lecture, name, notation)

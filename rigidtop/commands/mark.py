@@ -139,7 +139,7 @@ def run(options: argparse.Namespace) -> int:
 def _one(file: str, options: argparse.Namespace, judge: Judge) -> int:
     """Mark one answer and print the result; returns the exit code."""
     source = _typed() if file == "-" else text_of(file)
-    start, goal, found = _with_lines(file, judge(source))
+    start, goal, marking = _with_lines(file, judge(source))
     if options.output:
         from rigidtop.commands.annotation import marked_page
         from rigidtop.terminal.files import write_whole
@@ -147,12 +147,12 @@ def _one(file: str, options: argparse.Namespace, judge: Judge) -> int:
         page = Path(options.output)
         if page.exists() and Path(file).exists() and page.samefile(file):
             raise RigidtopError(f"{page} is the answer that is marked: write the page elsewhere")
-        write_whole(page, marked_page(Path(file).name, source, found).encode())
+        write_whole(page, marked_page(Path(file).name, source, marking).encode())
     if options.json:
-        print_json({"from": start, "to": goal, **found.record})
+        print_json({"from": start, "to": goal, **marking.record})
     else:
-        _print(found)
-    return 0 if found.passed else FAILED
+        _print(marking)
+    return 0 if marking.passed else FAILED
 
 
 def _with_lines(name: str, marked: tuple[str, str, Marking]) -> tuple[str, str, Marking]:
@@ -185,9 +185,9 @@ def _judge(options: argparse.Namespace, collection: Collection, subject: Subject
         from rigidtop.mark.exercise import answered, named
         from rigidtop.parameters import settings
 
-        name, given = options.exercise, options.settings
-        settings(named(name, collection.exercises).parameters, given)
-        return lambda source: answered(name, source, given, *limits, collection.exercises, subject)
+        name, chosen = options.exercise, options.settings
+        settings(named(name, collection.exercises).parameters, chosen)
+        return lambda source: answered(name, source, chosen, *limits, collection.exercises, subject)
     if options.given is not None:
         start, asked = options.given, task_of(text_of(options.given), options.goal)
     else:
@@ -195,18 +195,18 @@ def _judge(options: argparse.Namespace, collection: Collection, subject: Subject
     return lambda source: (start, options.goal, mark(source, asked, *limits))
 
 
-def _print(found: Marking) -> None:
+def _print(marking: Marking) -> None:
     from rigidtop.terminal.table import paragraph, table, wants_color
 
-    rows = [[str(line.line or ""), line.mark.value, line.said] for line in found.lines]
+    rows = [[str(line.line or ""), line.mark.value, line.said] for line in marking.lines]
     colors = COLORS if wants_color(sys.stdout) else None
     print(table(rows, ("line", "verdict", "what was read"), colors=colors))
     print()
-    for line in found.lines:
+    for line in marking.lines:
         if line.note and line.mark.value != "definition":
             print(paragraph(f"line {line.line}: {line.note}", rest="  "))
-    print(paragraph(found.summary))
-    for lost in found.lost:
+    print(paragraph(marking.summary))
+    for lost in marking.lost:
         print(paragraph(f"{lost}: state the condition, or look at that motion on its own"))
 
 

@@ -157,13 +157,13 @@ def on_table(options: argparse.Namespace, command: str) -> SlidingMotion:
     import rigidtop
 
     _check(options, command, (*FREE_OPTIONS, "steady", *CONSTANTS), TABLE_OPTIONS)
-    given = {name: value for name, value in vars(options).items() if value is not None}
-    more = {name: given[name] for name in TABLE_OPTIONS[:-2] if name in given}
-    top = rigidtop.SlidingTop(**{**EXAMPLE_TOP, "lambda1": 0.75, **_properties(given), **more})
-    start = {name: given[name] for name in (*START, "velocity", "slip") if name in given}
+    values = {name: value for name, value in vars(options).items() if value is not None}
+    more = {name: values[name] for name in TABLE_OPTIONS[:-2] if name in values}
+    top = rigidtop.SlidingTop(**{**EXAMPLE_TOP, "lambda1": 0.75, **_properties(values), **more})
+    start = {name: values[name] for name in (*START, "velocity", "slip") if name in values}
     if "omega3" not in start and "psi_dot" not in start:
         start["omega3"] = EXAMPLE_SPIN
-    return top.motion(theta=THETA.checked(given.get("theta", THETA.default)), **start)
+    return top.motion(theta=THETA.checked(values.get("theta", THETA.default)), **start)
 
 
 def _check(
@@ -181,23 +181,23 @@ def _check(
         raise RigidtopError("--time 0 leaves nothing to compute: give a time in seconds")
 
 
-def _properties(given: Mapping[str, Any]) -> dict[str, float]:
+def _properties(values: Mapping[str, Any]) -> dict[str, float]:
     """What the options say of a top, by the names of its own."""
-    named = {OTHER_NAMES.get(name, name): value for name, value in given.items()}
+    named = {OTHER_NAMES.get(name, name): value for name, value in values.items()}
     return {name: named[name] for name in EXAMPLE_TOP if name in named}
 
 
 def _top(options: argparse.Namespace) -> Motion:
     import rigidtop
 
-    given = {name: value for name, value in vars(options).items() if value is not None}
-    top = rigidtop.HeavyTop(**{**EXAMPLE_TOP, **_properties(given)})
-    start = {name: given[name] for name in START if name in given}
-    if constants := {name: given[name] for name in CONSTANTS if name in given}:
+    values = {name: value for name, value in vars(options).items() if value is not None}
+    top = rigidtop.HeavyTop(**{**EXAMPLE_TOP, **_properties(values)})
+    start = {name: values[name] for name in START if name in values}
+    if constants := {name: values[name] for name in CONSTANTS if name in values}:
         if options.steady:
             raise RigidtopError("--steady sets the rates: leave --E, --p-phi and --p-psi out")
-        return top.motion(theta=given.get("theta"), **constants, **start)
-    theta = THETA.checked(given.get("theta", THETA.default))
+        return top.motion(theta=values.get("theta"), **constants, **start)
+    theta = THETA.checked(values.get("theta", THETA.default))
     if "omega3" not in start and "psi_dot" not in start:
         start["omega3"] = EXAMPLE_SPIN
     if options.steady:

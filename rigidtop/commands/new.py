@@ -80,8 +80,8 @@ def _contents(options: argparse.Namespace) -> dict[str, bytes]:
 
 def _files(starter: Path) -> dict[str, bytes]:
     """The files that are copied, by their names."""
-    found = sorted(file for file in starter.glob("*") if file.suffix in (".py", ".md"))
-    return {file.name: file.read_bytes() for file in found}
+    files = sorted(file for file in starter.glob("*") if file.suffix in (".py", ".md"))
+    return {file.name: file.read_bytes() for file in files}
 
 
 def _page() -> dict[str, bytes]:

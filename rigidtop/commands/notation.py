@@ -71,13 +71,13 @@ def run(options: argparse.Namespace) -> int:
         about = (notation.source, unmarked(turns(notation)), unmarked(notation.note))
         head = [
             paragraph(f"{notation.name}: {notation.title}", rest="  "),
-            *(paragraph(said, "  ", "  ") for said in about if said),
+            *(paragraph(words, "  ", "  ") for words in about if words),
         ]
-        found = rows(notation)
-        if found:
+        entries = rows(notation)
+        if entries:
             columns = ("here", "in the notes", "in code", "meaning")
-            made = table(found, columns, width=terminal_width() - 2)
-            head += [f"  {line}" for line in made.splitlines()]
+            lines = table(entries, columns, width=terminal_width() - 2)
+            head += [f"  {line}" for line in lines.splitlines()]
         else:
             head.append("  All letters are those of the notes.")
         blocks.append("\n".join(head))

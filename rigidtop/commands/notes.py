@@ -85,8 +85,8 @@ def audited(
         subject = subject_of(collection)
         numbers = Numbers(collection.pages, subject, collection.letters)
         own = in_its_letters(copies(rows, text.text, numbers, macros, until), subject)
-        told = {line.row.number for each in own for line in each.lines}
-        others = [row for row in rows if row.number not in told]
+        covered = {line.row.number for each in own for line in each.lines}
+        others = [row for row in rows if row.number not in covered]
         others = [*held(others, subject, until)] if own else others
     findings = [
         *(of_claim(each, placing(text, files[0])) for each in own),

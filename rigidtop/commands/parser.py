@@ -69,14 +69,14 @@ class Help(argparse.HelpFormatter):
         return "".join(f"{part}\n" for line in lines for part in _option(line, terminal_width()))
 
     def _fill_text(self, text: str, width: int, indent: str) -> str:
-        made: list[str] = []
+        filled: list[str] = []
         for indented, group in groupby(text.splitlines(), lambda line: line[:1] in ("", " ")):
             lines = list(group)
             if indented:
-                made += [part for line in lines for part in _example(line, width)]
+                filled += [part for line in lines for part in _example(line, width)]
             else:
-                made += fill(" ".join(lines), width).splitlines()
-        return "\n".join(indent + line for line in made)
+                filled += fill(" ".join(lines), width).splitlines()
+        return "\n".join(indent + line for line in filled)
 
 
 def _option(line: str, width: int) -> list[str]:
@@ -103,18 +103,18 @@ def _example(line: str, width: int) -> list[str]:
         break_long_words=False,
         break_on_hyphens=False,
     )
-    shown = [*(f"{part} \\" for part in parts[:-1]), *parts[-1:]]
+    rows = [*(f"{part} \\" for part in parts[:-1]), *parts[-1:]]
     begun = f"{start}  # "
     more = wrap(remark, width, initial_indent=begun, subsequent_indent=begun) if mark else []
-    return shown + more
+    return rows + more
 
 
 class Parser(argparse.ArgumentParser):
     """Errors in one line, without the usage."""
 
     def error(self, message: str) -> NoReturn:
-        said = f"{self.prog}: {message} (see {self.prog} --help)"
-        self.exit(2, message_of(said, sys.stderr) + "\n")
+        complaint = f"{self.prog}: {message} (see {self.prog} --help)"
+        self.exit(2, message_of(complaint, sys.stderr) + "\n")
 
 
 def parsed(arguments: Sequence[str] | None = None) -> argparse.Namespace:

@@ -106,7 +106,7 @@ def _equations(
     groups = numbered(text)
     beside = {x.start: group.number for group in groups for x in group.formulas}
     lost = [x for group in groups for x in group.formulas if x.problem]
-    told: set[int] = set()
+    positions: set[int] = set()
     for formula in (*formulas(text), *lost):
         number = beside.get(formula.start, "")
         if time.process_time() > until:
@@ -125,10 +125,10 @@ def _equations(
                 continue
             row = row_of(rows, each.position)
             own = number or each.number or (row.number if row is not None else "")
-            told.add(each.position)
+            positions.add(each.position)
             yield replace(each, number=own, label=row.label if row is not None else "")
     for problem in (*problems(text), *bare(text)):
-        if problem.position not in told:
+        if problem.position not in positions:
             yield FileEquation(source, problem.position, problem=problem.reason)
     for at, reason in left_out(source, files):
         yield FileEquation(source, at, problem=reason)
@@ -148,8 +148,8 @@ def _in_own_letters(source: Source, formula: Formula, macros: Macros) -> Iterato
         if isinstance(each, Unread):
             yield FileEquation(source, at, each.tag, problem=each.reason)
         elif each.relations or formula.display:
-            said = each.condition or ", ".join(map(plain, each.conditions))
-            yield FileEquation(source, at, each.tag, plain(each), said, statement=each)
+            condition = each.condition or ", ".join(map(plain, each.conditions))
+            yield FileEquation(source, at, each.tag, plain(each), condition, statement=each)
 
 
 def _in_letters_of(
@@ -163,9 +163,9 @@ def _in_letters_of(
         yield FileEquation(source, formula.start, problem=formula.problem)
         return
     for line in equations(formula.text, notation, macros):
-        shown = text(line.equation, "typed") if line.equation is not None else None
+        equation = text(line.equation, "typed") if line.equation is not None else None
         at = formula.start + line.position
-        yield FileEquation(source, at, line.tag, shown, problem=line.problem)
+        yield FileEquation(source, at, line.tag, equation, problem=line.problem)
 
 
 # --- Telling -------------------------------------------------------------------------------------
@@ -180,8 +180,8 @@ def _records(equations: Sequence[FileEquation], files: Sequence[Source]) -> list
     from rigidtop.read.walk import places
 
     place = cache(lambda text: places(text))
-    said = words(each for source in files if source.is_text for each in declared(source.text))
-    known = roles([each.statement for each in equations if each.statement is not None], said)
+    names = words(each for source in files if source.is_text for each in declared(source.text))
+    kinds = roles([each.statement for each in equations if each.statement is not None], names)
     records = []
     for each in equations:
         row, column = place(each.source.text)(min(each.position, len(each.source.text)))
@@ -194,7 +194,7 @@ def _records(equations: Sequence[FileEquation], files: Sequence[Source]) -> list
             "equation": each.equation,
             "condition": each.condition or None,
             "problem": each.problem or None,
-            "letters": {letter: known[letter] for letter in own},
+            "letters": {letter: kinds[letter] for letter in own},
         }
         if len(files) > 1:
             record["file"] = each.source.path.name

@@ -77,16 +77,16 @@ def _named(path: str, head: list[str]) -> tuple[dict[str, int], list[float]]:
         )
         names.setdefault(_own(name.strip()), place)
     clock = next((name for name in CLOCKS if name in names), None)
-    told = [f"omega{k}" for k in range(3)]
-    if not all(name in names for name in told):
-        told = [name for name in ("theta", "phi", "psi") if name in names]
-    if clock is None or len(told) < 2:
+    columns = [f"omega{k}" for k in range(3)]
+    if not all(name in names for name in columns):
+        columns = [name for name in ("theta", "phi", "psi") if name in names]
+    if clock is None or len(columns) < 2:
         raise RigidtopError(
             f"{path} needs columns for the time and for x, y, z of a gyroscope, such as "
             '"Time (s)" and "Gyroscope x (rad/s)", or for theta and phi of a top; it has '
             f"{in_one_line(head)}"
         )
-    places = {name: names[name] for name in (clock, *told)}
+    places = {name: names[name] for name in (clock, *columns)}
     return places, [units[place] for place in places.values()]
 
 

@@ -19,13 +19,13 @@ def add_settings(
     )
 
 
-def apart(given: Sequence[str]) -> tuple[list[str], list[str]]:
+def apart(words: Sequence[str]) -> tuple[list[str], list[str]]:
     """Settings, and the other words behind them, which name what they are for.
 
     >>> apart(["theta=30deg", "toppling-top"])
     (['theta=30deg'], ['toppling-top'])
     """
-    return [word for word in given if "=" in word], [word for word in given if "=" not in word]
+    return [word for word in words if "=" in word], [word for word in words if "=" not in word]
 
 
 def within(least: float, most: float) -> Callable[[str], float]:
@@ -41,8 +41,8 @@ def within(least: float, most: float) -> Callable[[str], float]:
         except ValueError:
             number = math.nan
         if not least <= number <= most:
-            said = f"{text!r} is not a number from {least:g} to {most:g}"
-            raise argparse.ArgumentTypeError(said)
+            complaint = f"{text!r} is not a number from {least:g} to {most:g}"
+            raise argparse.ArgumentTypeError(complaint)
         return number
 
     return read
@@ -55,12 +55,12 @@ def whole(least: int, most: int | None = None) -> Callable[[str], int]:
     21
     """
 
-    said = f"from {least}" + (f" to {most}" if most else "")
+    bounds = f"from {least}" + (f" to {most}" if most else "")
 
     def read(text: str) -> int:
-        known = text.isdecimal() and len(text) <= 12 and least <= int(text)
-        if not known or (most and int(text) > most):
-            raise argparse.ArgumentTypeError(f"{text!r} is not a whole number {said}")
+        is_whole = text.isdecimal() and len(text) <= 12 and least <= int(text)
+        if not is_whole or (most and int(text) > most):
+            raise argparse.ArgumentTypeError(f"{text!r} is not a whole number {bounds}")
         return int(text)
 
     return read

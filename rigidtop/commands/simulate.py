@@ -58,14 +58,14 @@ def run(options: argparse.Namespace) -> int:
 
     if options.output == "":
         raise RigidtopError("--output wants the name of a file")
-    told = _of_table if options.body == "sliding" else _of_motion
+    summary = _of_table if options.body == "sliding" else _of_motion
     if options.body == "sliding":
         motion: Any = motions.on_table(options, "simulate")
         options.method = options.method or (EXACT if motion.body.smooth else INTEGRATED)
     else:
         motion = motions.motion(options, "simulate")
     path = _computed(motion, np.linspace(0.0, options.time, options.samples), options)
-    columns, (record, said, warned) = path.columns(), told(path, options)
+    columns, (record, lines, warned) = path.columns(), summary(path, options)
     if options.output:
         path.to_csv(options.output)
     if options.json:
@@ -80,7 +80,7 @@ def run(options: argparse.Namespace) -> int:
         # + 0.0 writes −0 as 0
         rows = [[f"{x + 0.0:.6g}" for x in row] for row in zip(*columns.values(), strict=True)]
         print(table(rows, tuple(columns), right=range(len(columns))) + "\n")
-    print("\n".join(map(paragraph, said)))
+    print("\n".join(map(paragraph, lines)))
     for line in warned:
         print(paragraph(line), file=sys.stderr)
     return 0
@@ -93,9 +93,9 @@ Told = tuple[dict[str, Any], list[str], list[str]]
 def _of_motion(path: Any, options: argparse.Namespace) -> Told:
     drift, about = path.drift(), _about(path.motion)
     kept = ", ".join(f"{name} {value:.1e}" for name, value in drift.items())
-    said = f"relative drift of what the exact motion keeps: {kept}"
+    sentence = f"relative drift of what the exact motion keeps: {kept}"
     warned = list(_few_samples(about["nutation_period"], options))
-    return {"drift": drift, **about}, [_sentence(path.motion, about), said], warned
+    return {"drift": drift, **about}, [_sentence(path.motion, about), sentence], warned
 
 
 def _of_table(path: Any, options: argparse.Namespace) -> Told:
@@ -103,20 +103,20 @@ def _of_table(path: Any, options: argparse.Namespace) -> Told:
     events = [{"time": event.time, "kind": event.kind} for event in path.events]
     budget, ended = path.budget(), path.ended.kind if path.ended else None
     friction, air = path.dissipated_by_friction[-1] + 0.0, path.dissipated_by_air[-1] + 0.0
-    said = [
+    lines = [
         f"dissipated by friction {friction:.6g} J, by the air {air:.6g} J",
         f"relative gap in the budget of the energy: {budget:.1e}",
     ]
     warned = [f"{event.kind} at t = {event.time:.6g} s" for event in path.events]
     if ended:
         warned.append(f"the motion ends there: {len(path)} of {options.samples} rows")
-    return {"budget": budget, "events": events, "ended": ended}, said, warned
+    return {"budget": budget, "events": events, "ended": ended}, lines, warned
 
 
 def _computed(motion: Any, times: Any, options: argparse.Namespace) -> Any:
     """The trajectory of any motion, as asked."""
-    given = {name: getattr(options, name) for name in ("rtol", "atol")}
-    tolerances = {name: value for name, value in given.items() if value is not None}
+    options_by_name = {name: getattr(options, name) for name in ("rtol", "atol")}
+    tolerances = {name: value for name, value in options_by_name.items() if value is not None}
     if options.method in (None, EXACT):
         for name in tolerances:
             raise RigidtopError(f"--{name} is for integration: give a --method too")

@@ -138,8 +138,8 @@ def run(options: argparse.Namespace) -> int:
     if not options.output.endswith(".npy"):
         raise RigidtopError(f"--output wants a name that ends in .npy, not {options.output!r}")
     axes = {name: numbers(name, text) for name, text in _once("--axis", options.axis).items()}
-    given = {name: one(name, text) for name, text in _once("--set", options.set).items()}
-    fixed = {name: value for name, value in EXAMPLE.items() if name not in axes} | given
+    values = {name: one(name, text) for name, text in _once("--set", options.set).items()}
+    fixed = {name: value for name, value in EXAMPLE.items() if name not in axes} | values
     if not {"omega3", "psi_dot"} & {*axes, *fixed}:
         fixed["omega3"] = EXAMPLE_SPIN
     asked = sweep.Sweep(options.quantity, axes, fixed)
@@ -158,7 +158,7 @@ def run(options: argparse.Namespace) -> int:
     start = time.monotonic()
     try:
         with noted_interrupts() as interrupted, executor(options) as (pool, ahead):
-            found = sweep.run(
+            result = sweep.run(
                 asked, options.output, pool, block_size=size, ahead=ahead, progress=progress
             )
     except KeyboardInterrupt:
@@ -168,12 +168,12 @@ def run(options: argparse.Namespace) -> int:
             f"{last} of {asked.size} points are in {options.output}; "
             "the same command goes on from there"
         ) from None
-    record = summary(found) | {
+    record = summary(result) | {
         "computed": last - (first or 0),
         "seconds": round(time.monotonic() - start, 3),
     }
-    if found.damaged:
-        record["damaged"] = found.damaged
+    if result.damaged:
+        record["damaged"] = result.damaged
     if options.json:
         print_json(record)
     else:
@@ -181,30 +181,30 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def summary(found: Map) -> dict[str, object]:
+def summary(result: Map) -> dict[str, object]:
     """What a map holds, as plain values, read piece by piece."""
     import numpy as np
 
     from rigidtop.motion.sweep import REGIMES
 
     record: dict[str, object] = {
-        "file": str(found.path),
-        "quantity": found.sweep.quantity,
-        "axes": list(found.sweep.axes),
-        "shape": list(found.sweep.shape),
-        "points": found.sweep.size,
+        "file": str(result.path),
+        "quantity": result.sweep.quantity,
+        "axes": list(result.sweep.axes),
+        "shape": list(result.sweep.shape),
+        "points": result.sweep.size,
     }
-    if found.sweep.quantity == "regime":
-        counts = sum(np.bincount(piece, minlength=len(REGIMES)) for piece in found.pieces())
+    if result.sweep.quantity == "regime":
+        counts = sum(np.bincount(piece, minlength=len(REGIMES)) for piece in result.pieces())
         pairs = zip(REGIMES, np.atleast_1d(counts).tolist(), strict=True)
         return record | {"regimes": {name: count for name, count in pairs if count}}
     least, largest = math.inf, -math.inf
-    for piece in found.pieces():
+    for piece in result.pieces():
         finite = piece[np.isfinite(piece)]
         if finite.size:
             least, largest = min(least, float(finite.min())), max(largest, float(finite.max()))
-    known = least <= largest
-    return record | {"least": least if known else None, "largest": largest if known else None}
+    valid = least <= largest
+    return record | {"least": least if valid else None, "largest": largest if valid else None}
 
 
 def text(record: dict[str, Any]) -> str:
@@ -299,9 +299,9 @@ def _leave_after(parent: Any) -> None:
 
 
 def _once(option: str, pairs: Sequence[tuple[str, str]]) -> dict[str, str]:
-    found: dict[str, str] = {}
+    texts: dict[str, str] = {}
     for name, value in pairs:
-        if name in found:
+        if name in texts:
             raise RigidtopError(f"{option} {name} is given twice")
-        found[name] = value
-    return found
+        texts[name] = value
+    return texts

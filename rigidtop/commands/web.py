@@ -68,16 +68,16 @@ def run(options: argparse.Namespace) -> int:
 
     if options.output == "":
         raise RigidtopError("--output wants the name of a file")
-    kind, given = _kind(options)
+    kind, settings = _kind(options)
     if kind == CHECK:
-        return _check(options, given)
+        return _check(options, settings)
     if options.pyodide is not None:
         raise RigidtopError(f"--pyodide is for the page check, not for {kind}")
     presets = PRESETS[kind]()
-    first = _changed(_named(options.preset, presets), given)
-    made = page(kind, first)
+    first = _changed(_named(options.preset, presets), settings)
+    written = page(kind, first)
     path = Path(options.output or f"{kind}.html")
-    content = made.html.encode()
+    content = written.html.encode()
     write_whole(path, content)
     if options.json:
         print_json(
@@ -91,17 +91,17 @@ def run(options: argparse.Namespace) -> int:
             }
         )
     else:
-        print(f"{path}\n{made.title}: {first.title} ({len(content) / 1e6:.1f} MB)")
+        print(f"{path}\n{written.title}: {first.title} ({len(content) / 1e6:.1f} MB)")
     return 0
 
 
-def _check(options: argparse.Namespace, given: list[str]) -> int:
+def _check(options: argparse.Namespace, settings: list[str]) -> int:
     """Write the page that checks a derivation."""
     from rigidtop.commands.browser import SECONDS
     from rigidtop.terminal.files import write_whole
     from rigidtop.web.check import BASE, FETCH, TITLE, page
 
-    if given or options.preset is not None:
+    if settings or options.preset is not None:
         raise RigidtopError("the page check shows no motion: it has no --preset and no --set")
     base = BASE if options.pyodide is None else options.pyodide
     content = page(SECONDS, base).encode()
@@ -118,14 +118,14 @@ def _check(options: argparse.Namespace, given: list[str]) -> int:
 
 def _kind(options: argparse.Namespace) -> tuple[str, list[str]]:
     """Which page, and what is set in it; the page may stand behind --set."""
-    kind, given = options.kind, options.set
+    kind, settings = options.kind, options.set
     if kind is None:
-        given, more = apart(given)
+        settings, more = apart(settings)
         kind = " ".join(more)
     if kind not in (*KINDS, CHECK):
         names = f"{', '.join(KINDS)} or {CHECK}"
         raise RigidtopError(f"which page?  {names}" + f", not {kind!r}" * bool(kind))
-    return kind, given
+    return kind, settings
 
 
 def _named(name: str | None, presets: tuple[Preset, ...]) -> Preset:
@@ -137,15 +137,15 @@ def _named(name: str | None, presets: tuple[Preset, ...]) -> Preset:
     raise RigidtopError(f"no preset {name!r}: there are {', '.join(p.name for p in presets)}")
 
 
-def _changed(preset: Preset, given: list[str]) -> Preset:
+def _changed(preset: Preset, words: list[str]) -> Preset:
     """The preset with other numbers, if a body has them."""
     from rigidtop.web.setup import body_of
 
-    if not given:
+    if not words:
         return preset
     values = preset.setup.values
     parameters = [_parameter(name, value) for name, value in values.items()]
-    chosen = settings(parameters, given)
+    chosen = settings(parameters, words)
     symmetric = preset.setup.kind == KINDS[0] and values["lambda1"] == values["lambda2"]
     if symmetric and chosen["lambda2"] == values["lambda2"]:
         chosen["lambda2"] = chosen["lambda1"]  # as on the page, unless it is set itself

@@ -46,14 +46,14 @@ def states(
 
     NaN for motions that do not arrive.
     """
-    found = np.full((len(times), *start.shape), np.nan)
+    samples = np.full((len(times), *start.shape), np.nan)
     backwards, ends = times[-1] < 0, np.abs(times)
-    found[ends == 0] = start
+    samples[ends == 0] = start
     if ends[-1] > 0:
         with np.errstate(all="ignore"):
             for step in _steps(problems, start, -1.0 if backwards else 1.0, ends[-1], accuracy):
-                _sample(step, ends, found)
-    return found
+                _sample(step, ends, samples)
+    return samples
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class _Step:
         return np.concatenate([ends, h * np.tensordot(DOP853.D, stages, 1)])
 
 
-def _sample(step: _Step, ends: Floats, found: Floats) -> None:
+def _sample(step: _Step, ends: Floats, samples: Floats) -> None:
     """Fill in what was asked for within a step."""
     first, last = (np.searchsorted(ends, at, "right") for at in (step.before, step.after))
     step = step.taken(last > first)
@@ -102,7 +102,7 @@ def _sample(step: _Step, ends: Floats, found: Floats) -> None:
         value = np.zeros((len(old), len(rows)))
         for power, each in enumerate(coefficients[::-1]):
             value = (value + each[:, rows]) * (1 - x if power % 2 else x)
-        found[place, :, step.which[rows]] = (old[:, rows] + value).T
+        samples[place, :, step.which[rows]] = (old[:, rows] + value).T
 
 
 def _steps(
@@ -154,8 +154,8 @@ def _stages(
 
 
 def _sum(weights: Floats, stages: Floats) -> Floats:
-    made: Floats = np.tensordot(weights, stages, 1)
-    return made
+    total: Floats = np.tensordot(weights, stages, 1)
+    return total
 
 
 def _error(stages: Floats, h: Floats, scale: Floats) -> Floats:
@@ -179,8 +179,8 @@ def _first(
     scale = atol + np.abs(y) * rtol
 
     def size(x: Floats) -> Floats:
-        made: Floats = np.sqrt(np.square(x / scale).mean(axis=0))
-        return made
+        norm: Floats = np.sqrt(np.square(x / scale).mean(axis=0))
+        return norm
 
     of_state, of_rate = size(y), size(rate)
     small = (of_state < 1e-5) | (of_rate < 1e-5)

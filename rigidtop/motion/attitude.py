@@ -98,8 +98,8 @@ def after(p: Sequence[Any], q: Sequence[Any]) -> tuple[Any, ...]:
 
 def conjugate(q: Floats) -> Floats:
     """The inverse of unit quaternions (…, 4), scalar first."""
-    made: Floats = q * np.array([1.0, -1.0, -1.0, -1.0])
-    return made
+    conjugates: Floats = q * np.array([1.0, -1.0, -1.0, -1.0])
+    return conjugates
 
 
 def units(states: Floats) -> Floats:
@@ -114,8 +114,8 @@ def units(states: Floats) -> Floats:
             "the integration lost the attitude, its quaternion is far from a unit: "
             "smaller rtol and atol are needed"
         )
-    made: Floats = (q / norms).T
-    return made
+    normed: Floats = (q / norms).T
+    return normed
 
 
 def spinors(q: Floats) -> tuple[Complexes, Complexes]:

@@ -144,9 +144,9 @@ class HeavyBody(AnyBody):
         if checks.truth("physical", self.physical) and not checks.triangle(
             central.tolist(), max(self.moments)
         ):
-            found = ", ".join(f"{moment:.4g}" for moment in central)
+            sizes = ", ".join(f"{moment:.4g}" for moment in central)
             raise RigidtopError(
-                f"the moments about the centre of mass would be {found}, the largest more than the "
+                f"the moments about the centre of mass would be {sizes}, the largest more than the "
                 "sum of the other two: larger moments about the pivot or a nearer centre of mass"
                 f"{checks.UNPHYSICAL}"
             )

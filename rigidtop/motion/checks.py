@@ -135,14 +135,14 @@ def _floats(value: ArrayLike) -> NDArray[np.float64]:
     if _masked(value):
         raise TypeError("a masked array: leave out, or fill, what is masked")
     try:
-        found = np.asarray(value, dtype=None if hasattr(value, "dtype") else object)
+        array = np.asarray(value, dtype=None if hasattr(value, "dtype") else object)
     except ValueError:
         raise TypeError("rows of different lengths") from None
-    if found.dtype.kind not in "iufO":
-        raise TypeError(f"an array of {found.dtype}" if found.ndim else repr(found[()]))
-    if found.dtype.kind == "O" and not {*map(type, found.flat)} <= {float, np.float64}:
-        found = np.reshape([real(x) for x in found.flat], found.shape)
-    return found.astype(float, copy=False) + 0.0
+    if array.dtype.kind not in "iufO":
+        raise TypeError(f"an array of {array.dtype}" if array.ndim else repr(array[()]))
+    if array.dtype.kind == "O" and not {*map(type, array.flat)} <= {float, np.float64}:
+        array = np.reshape([real(x) for x in array.flat], array.shape)
+    return array.astype(float, copy=False) + 0.0
 
 
 def _masked(value: object) -> bool:
@@ -221,11 +221,11 @@ def times(value: Any) -> NDArray[np.float64]:
 
 def times_within_reach(value: ArrayLike, rate: float) -> NDArray[np.float64]:
     """Times at which a motion that turns at this rate (rad/s) can be integrated."""
-    found = times(value)
-    turns = rate * float(np.abs(found).max()) / (2 * math.pi)
+    array = times(value)
+    turns = rate * float(np.abs(array).max()) / (2 * math.pi)
     if turns > MOST_TURNS:
         raise RigidtopError(
             f"about {turns:.0e} turns: at most {MOST_TURNS:.0e} can be integrated, "
             "so ask for earlier times"
         )
-    return found
+    return array

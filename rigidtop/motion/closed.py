@@ -67,12 +67,12 @@ def solved(body: RigidBody, start: AnyStart) -> Solved:
     """The closed form of a motion; RigidtopError for a body that has none here."""
     if not any(body.weight):
         return free.solved(body.moments, start.omega)
-    found = axis(body)
-    if found.turn is not None:
-        turn = attitudes.rotation(found.turn)
+    symmetry = axis(body)
+    if symmetry.turn is not None:
+        turn = attitudes.rotation(symmetry.turn)
         first, second, third = turn.inv().apply(start.omega).tolist()
         start = InitialState(start.attitude * turn, (first, second, third))
-    return heavy.solved(found.start(start))
+    return heavy.solved(symmetry.start(start))
 
 
 def states(

@@ -13,7 +13,7 @@ from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
 from rigidtop.motion.free_fit import FreeFit, FreeModel
-from rigidtop.motion.least_squares import Fit, FitModel, solved, told
+from rigidtop.motion.least_squares import Fit, FitModel, reported, solved
 from rigidtop.motion.motion import Motion
 from rigidtop.motion.top_fit import TopFit, TopModel
 
@@ -99,18 +99,18 @@ def fit(
     if np.any(np.diff(times) <= 0):
         raise RigidtopError("t must increase from row to row")
     moments = {"lambda1": lambda1, "lambda2": lambda2, "lambda3": lambda3}
-    given = tuple(x if x is None else checks.positive(n, x) for n, x in moments.items())
+    fixed = tuple(x if x is None else checks.positive(n, x) for n, x in moments.items())
     angles = {"theta": theta, "phi": phi, "psi": psi}
     misalignment = checks.truth("misalignment", misalignment)
     if omega is None and attitude is None:
-        if any(given) or misalignment:
+        if any(fixed) or misalignment:
             raise RigidtopError("moments and misalignment go with omega or attitude of a free body")
         return _fitted(TopFit, _top(times, angles), times)
     if any(x is not None for x in angles.values()):
         raise RigidtopError(EITHER)
     rates = None if omega is None else _shaped("omega", omega, (len(times), 3))
     _check_attitudes(attitude, len(times))
-    model = FreeModel(times - times[0], rates, attitude, given, misalignment)
+    model = FreeModel(times - times[0], rates, attitude, fixed, misalignment)
     return _fitted(FreeFit, model, times)
 
 
@@ -131,7 +131,7 @@ def _top(times: Floats, angles: dict[str, ArrayLike | None]) -> TopModel:
 
 def _fitted(kind: type[Kind], model: FitModel[Motion], times: Floats) -> Kind:
     parameters, inner = solved(model)
-    values, covariance = told(model, parameters, inner)
+    values, covariance = reported(model, parameters, inner)
     motion = model.motion(parameters, values, float(times[0]))
     columns = model.computed(parameters[None], slice(None))[0].T
     computed = dict(zip(model.measured, columns, strict=True))

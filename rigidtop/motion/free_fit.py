@@ -110,8 +110,8 @@ class FreeModel(FitModel[Motion]):
             whole = momentum + cumulative_trapezoid(torque, t, axis=0, initial=0)
             columns.append((whole - whole.mean(axis=0)).ravel())
         parts = np.linalg.svd(np.stack(columns, axis=-1), full_matrices=False)[2][-1]
-        made = np.tensordot(parts, basis, axes=1)
-        return np.asarray(made * np.sign(np.trace(made) or 1.0))
+        tensor = np.tensordot(parts, basis, axes=1)
+        return np.asarray(tensor * np.sign(np.trace(tensor) or 1.0))
 
     @cached_property
     def guess(self) -> tuple[Floats, Rotation]:
@@ -192,12 +192,12 @@ class FreeModel(FitModel[Motion]):
         moments, omega, axes, _ = self.parts(parameters)
         if not any(self.given):
             moments = moments / moments.min(axis=1, keepdims=True)
-        told = {f"lambda{k + 1}": moments[:, k] for k in range(3)}
-        told |= {f"omega{k + 1}": omega[:, k] for k in range(3)}
+        quantities = {f"lambda{k + 1}": moments[:, k] for k in range(3)}
+        quantities |= {f"omega{k + 1}": omega[:, k] for k in range(3)}
         if self.turned:
-            told |= {f"turn{k + 1}": x for k, x in enumerate(axes.as_rotvec().T)}
+            quantities |= {f"turn{k + 1}": x for k, x in enumerate(axes.as_rotvec().T)}
         momentum = np.linalg.norm(moments * omega, axis=1)
-        return told | {"L": momentum, "E": (moments * omega**2).sum(axis=1) / 2}
+        return quantities | {"L": momentum, "E": (moments * omega**2).sum(axis=1) / 2}
 
     def still(self) -> Floats:
         """The residuals of a ball, whose ω is constant."""

@@ -35,9 +35,9 @@ def principal(tensor: ArrayLike) -> tuple[Triple, Rotation]:
         )
     moments, axes = np.linalg.eigh((entries + entries.T) / 2)
     if moments[0] <= checks.TOLERANCE * np.abs(moments).max():
-        shown = ", ".join(f"{moment:.4g}" for moment in moments)
+        listed = ", ".join(f"{moment:.4g}" for moment in moments)
         raise RigidtopError(
-            f"the principal moments of I are {shown}, and each must be positive; products of "
+            f"the principal moments of I are {listed}, and each must be positive; products of "
             "inertia stand in I with a minus sign, -∫xy dm"
         )
     first, second, third = moments[_nearest(axes)].tolist()

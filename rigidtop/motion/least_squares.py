@@ -76,8 +76,8 @@ class Fit(Generic[Moves]):
 
     def __repr__(self) -> str:
         errors = self.errors
-        said = (f"{name} = {x:.6g} ± {errors[name]:.2g}" for name, x in self.values.items())
-        return f"<{type(self).__name__} of {len(self.t)} rows: {', '.join(said)}>"
+        rows = (f"{name} = {x:.6g} ± {errors[name]:.2g}" for name, x in self.values.items())
+        return f"<{type(self).__name__} of {len(self.t)} rows: {', '.join(rows)}>"
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,8 +166,8 @@ def _slopes(function: Callable[[Floats], Floats], parameters: Floats) -> Floats:
     """Derivatives (…, n) of what a function makes of rows of parameters, (P, …)."""
     steps = STEP * np.maximum(np.abs(parameters), 1.0)
     values = function(np.concatenate([parameters + np.diag(steps), [parameters]]))
-    made: Floats = (values[:-1] - values[-1]).T / steps
-    return made
+    slopes: Floats = (values[:-1] - values[-1]).T / steps
+    return slopes
 
 
 def _descended(
@@ -216,20 +216,20 @@ def solved(model: FitModel[Any]) -> tuple[Floats, Floats]:
     if model.data.size <= 2 * len(model.starts()[0]):
         raise RigidtopError(f"{len(model.t)} rows are too few to fit a motion")
     still = model.still()
-    known = None if model.sigma is None else 1 / model.sigma
-    weights = 1 / _sizes(model, still) if known is None else known
+    precision = None if model.sigma is None else 1 / model.sigma
+    weights = 1 / _sizes(model, still) if precision is None else precision
     parameters = _searched(model, weights)
     for _ in range(3):  # the noise of each instrument comes from what the last fit leaves
         end = _descended(model, parameters, slice(None), weights, 60)
         parameters = model.settled(end.x)
         residuals = end.fun.reshape(still.shape) / weights
-        weights = 1 / _sizes(model, residuals) if known is None else known
+        weights = 1 / _sizes(model, residuals) if precision is None else precision
     left = float(np.square(residuals * weights).sum())
     variance = left / (still.size - len(parameters))
     if np.square(still * weights).sum() - left < model.significant * variance:
         raise RigidtopError(model.unknown)
     inverse = _inverse(model, parameters, model.slopes(parameters, slice(None), weights))
-    covariance = inverse * (variance if known is None else 1.0)
+    covariance = inverse * (variance if precision is None else 1.0)
     scales = model.telling(parameters)
     if np.any(np.sqrt(np.diag(covariance))[: len(scales)] > VAGUE * scales):
         raise RigidtopError(model.unknown)
@@ -249,7 +249,7 @@ def _inverse(model: FitModel[Any], parameters: Floats, slopes: Floats) -> Floats
     return inverse
 
 
-def told(
+def reported(
     model: FitModel[Any], parameters: Floats, covariance: Floats
 ) -> tuple[dict[str, float], Floats]:
     """The fitted quantities by name, and their covariance."""

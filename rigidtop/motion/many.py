@@ -119,8 +119,8 @@ class _Motions(Periods[NDArray[np.str_], Floats]):
 
     def _of_orbit(self, name: str) -> Any:
         def quantities(index: NDArray[np.intp], _: Floats) -> list[Any]:
-            found = getattr(self._orbits(index), name)
-            return list(found) if isinstance(found, tuple) else [found]
+            value = getattr(self._orbits(index), name)
+            return list(value) if isinstance(value, tuple) else [value]
 
         results = _in_chunks(quantities, np.zeros(()), self.shape, None)
         return tuple(results) if len(results) > 1 else results[0]
@@ -172,8 +172,8 @@ class TopMotions(_Motions):
             state = self._orbits(index).at(at)
             return [getattr(state, each.name) for each in fields(TopState)]
 
-        found = _in_chunks(states, times, self.shape, progress)
-        return TopState(**dict(zip((each.name for each in fields(TopState)), found, strict=True)))
+        rows = _in_chunks(states, times, self.shape, progress)
+        return TopState(**dict(zip((each.name for each in fields(TopState)), rows, strict=True)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,8 +202,8 @@ class FreeMotions(_Motions):
         times = checks.numbers("t", t)
 
         def states(index: NDArray[np.intp], at: Floats) -> list[Floats]:
-            found = self._orbits(index).at(at)
-            return [np.stack(parts, axis=-1) for parts in (found.quaternion, found.omega)]
+            state = self._orbits(index).at(at)
+            return [np.stack(parts, axis=-1) for parts in (state.quaternion, state.omega)]
 
         quaternion, omega = _in_chunks(states, times, self.shape, progress)
         return quaternion, omega

@@ -118,8 +118,8 @@ class Motion(Moving, Periods[str, float]):
     @property
     def orbit(self) -> free.FreeOrbit | heavy_orbit.HeavyOrbit:
         """The closed form: its periods, its turning points and its state at any times."""
-        found: free.FreeOrbit | heavy_orbit.HeavyOrbit = self.solved.orbit
-        return found
+        orbit: free.FreeOrbit | heavy_orbit.HeavyOrbit = self.solved.orbit
+        return orbit
 
     def _of_orbit(self, name: str) -> Any:
         quantity = getattr(self.orbit, name)

@@ -116,8 +116,8 @@ class SymmetricTop(RigidBody):
         threshold = self._threshold(cosine)
         if abs(b) < threshold * (1 - ROUNDING) or (a == b == 0 < c):
             least = Context(prec=9, rounding=ROUND_CEILING)  # what is shown is enough
-            shown = least.create_decimal_from_float(threshold / self.lambda3)
-            needed = f"at least {shown:g} rad/s" if a else "more than 0"
+            least_spin = least.create_decimal_from_float(threshold / self.lambda3)
+            needed = f"at least {least_spin:g} rad/s" if a else "more than 0"
             raise NoSteadyPrecession(
                 f"no steady precession at theta = {theta:g} with omega3 = {spin:g}: "
                 f"|omega3| must be {needed}"

@@ -104,12 +104,12 @@ class Rows(ABC):
     def to_xarray(self) -> xarray.Dataset:
         """An `xarray.Dataset` over the dimension t; each variable has its unit as ``.units``."""
         xarray = _loaded("xarray")
-        made = {
+        variables = {
             _name(header): ("t", column, {"units": _unit(header)})
             for header, column in self.columns().items()
         }
-        time = made.pop("t")
-        return xarray.Dataset(made, coords={"t": time})
+        time = variables.pop("t")
+        return xarray.Dataset(variables, coords={"t": time})
 
     def plot(self, *names: str | tuple[str, str], axes: Any = None) -> Any:
         """Columns over the time, or one over another where two names stand in a tuple.

@@ -124,25 +124,25 @@ class Moving(ABC):
 GIVEN = ("theta", "theta_dot", "phi", "phi_dot", "psi", "psi_dot", "omega3")
 
 
-def from_angles(missing: str, *given: object) -> EulerStart:
+def from_angles(missing: str, *values: object) -> EulerStart:
     """The start from what is `GIVEN`: θ, the spin as ψ̇ or ω₃, and others, 0 if None.
 
     Raises RigidtopError for anything else: with `missing` where θ or the spin is.
     """
-    named = zip(GIVEN, given, strict=True)
-    known = {name: checks.number(name, x) for name, x in named if x is not None}
-    if "psi_dot" in known and "omega3" in known:
+    named = zip(GIVEN, values, strict=True)
+    numbers = {name: checks.number(name, x) for name, x in named if x is not None}
+    if "psi_dot" in numbers and "omega3" in numbers:
         raise RigidtopError("give psi_dot or omega3, not both")
-    if "theta" not in known or not ("psi_dot" in known or "omega3" in known):
+    if "theta" not in numbers or not ("psi_dot" in numbers or "omega3" in numbers):
         raise RigidtopError(missing)
-    theta = checks.polar_angle(known["theta"])
+    theta = checks.polar_angle(numbers["theta"])
     theta_dot, phi, phi_dot, psi = (
-        known.get(name, 0.0) for name in ("theta_dot", "phi", "phi_dot", "psi")
+        numbers.get(name, 0.0) for name in ("theta_dot", "phi", "phi_dot", "psi")
     )
     first, second, third = attitude.body_rates(
-        theta, psi, theta_dot, phi_dot, known.get("psi_dot", 0.0)
+        theta, psi, theta_dot, phi_dot, numbers.get("psi_dot", 0.0)
     )
-    omega = first, second, known.get("omega3", third)
+    omega = first, second, numbers.get("omega3", third)
     return EulerStart(theta, theta_dot, phi, phi_dot, psi, omega)
 
 
@@ -232,8 +232,8 @@ def from_constants(
 
     Raises RigidtopError for constants that the top cannot have, there or anywhere.
     """
-    given = zip(CONSTANTS, (E, p_phi, p_psi), strict=True)
-    reach = Reach(top, *(checks.number(name, value) for name, value in given))
+    constants = zip(CONSTANTS, (E, p_phi, p_psi), strict=True)
+    reach = Reach(top, *(checks.number(name, value) for name, value in constants))
     phi, psi = (checks.number(n, x or 0.0) for n, x in zip(("phi", "psi"), angles, strict=True))
     least, most = reach.turning_points
     at = least if theta is None else checks.polar_angle(theta)

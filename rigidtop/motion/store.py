@@ -177,8 +177,8 @@ def read_journal(text: bytes, total: int) -> dict[Interval, str]:
     {(0, 10): '0 10 0badcafe', (40, 50): '40 50 00c0ffee'}
     """
     lines = re.findall(rb"^((\d{1,19}) (\d{1,19}) [0-9a-f]{8})$", text, re.MULTILINE)
-    found = {(int(start), int(stop)): line.decode() for line, start, stop in lines}
-    return {(start, stop): line for (start, stop), line in found.items() if start < stop <= total}
+    pieces = {(int(start), int(stop)): line.decode() for line, start, stop in lines}
+    return {(start, stop): line for (start, stop), line in pieces.items() if start < stop <= total}
 
 
 def sound(path: Path, dtype: DTypeLike, shape: tuple[int, ...]) -> dict[Interval, str]:
@@ -195,12 +195,12 @@ def gaps(done: Iterable[Interval], total: int) -> list[Interval]:
     >>> gaps([(20, 30), (0, 10), (25, 40)], 100)
     [(10, 20), (40, 100)]
     """
-    found, reached = [], 0
+    missing, reached = [], 0
     for start, stop in sorted(done):
         if start > reached:
-            found.append((reached, start))
+            missing.append((reached, start))
         reached = max(reached, stop)
-    return [*found, (reached, total)] if reached < total else found
+    return [*missing, (reached, total)] if reached < total else missing
 
 
 def _size(intervals: Iterable[Interval]) -> int:
@@ -262,13 +262,13 @@ def data_offset(path: Path, dtype: np.dtype[np.generic], shape: tuple[int, ...])
     That is one that has been replaced since, or is shorter or longer.
     """
     try:
-        found = np.load(path, mmap_mode="r")
-        as_left = (found.dtype, found.shape, found.flags.c_contiguous) == (dtype, shape, True)
+        data = np.load(path, mmap_mode="r")
+        as_left = (data.dtype, data.shape, data.flags.c_contiguous) == (dtype, shape, True)
     except (ValueError, EOFError):
         as_left = False
-    if not as_left or path.stat().st_size != found.offset + found.nbytes:
+    if not as_left or path.stat().st_size != data.offset + data.nbytes:
         raise RigidtopError(f"{path} is not as the sweep left it: delete it, or write elsewhere")
-    return int(found.offset)
+    return int(data.offset)
 
 
 def _say(path: Path, about: Mapping[str, object], complete: bool) -> None:

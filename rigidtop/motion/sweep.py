@@ -130,8 +130,8 @@ class Sweep:
 
     def __post_init__(self) -> None:
         if self.quantity not in OF_MOTION + OF_STATE:
-            known = ", ".join(OF_MOTION + OF_STATE)
-            raise RigidtopError(f"no quantity {self.quantity!r}: there are {known}")
+            names = ", ".join(OF_MOTION + OF_STATE)
+            raise RigidtopError(f"no quantity {self.quantity!r}: there are {names}")
         if not self.axes:
             raise RigidtopError("a sweep wants an axis at least")
         for name in (*self.axes, *self.fixed):
@@ -141,14 +141,14 @@ class Sweep:
                 raise RigidtopError(f"{name} is both fixed and an axis: give it once")
         fixed = {name: checks.number(name, value) for name, value in self.fixed.items()}
         fixed = {**{n: v for n, v in OPTIONAL.items() if n not in self.axes}, **fixed}
-        given = {*fixed, *self.axes}
+        parameters = {*fixed, *self.axes}
         for name in REQUIRED:
-            if name not in given:
+            if name not in parameters:
                 raise RigidtopError(f"a sweep wants {name}, fixed or as an axis")
-        if ("t" in given) != (self.quantity in OF_STATE):
+        if ("t" in parameters) != (self.quantity in OF_STATE):
             raise RigidtopError(
                 f"{self.quantity} has no time: leave t out"
-                if "t" in given
+                if "t" in parameters
                 else f"{self.quantity} is wanted at a time: give t (s), fixed or as an axis"
             )
         object.__setattr__(self, "axes", dict(self.axes))

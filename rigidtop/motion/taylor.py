@@ -89,8 +89,8 @@ def propagated(
             state = held(integrator.time / unit, integrator.state * of_state)
             integrator.state[:] = state / of_state
         few = held is not None or not pieces
-        made, steps = (_kept, min(STEPS_KEPT, at_once)) if few else (_compiled, at_once)
-        outcome, series = made(integrator, end * unit, max_delta_t, steps)
+        run, steps = (_kept, min(STEPS_KEPT, at_once)) if few else (_compiled, at_once)
+        outcome, series = run(integrator, end * unit, max_delta_t, steps)
         _check(outcome, float(integrator.time / unit), end, integrator.state)
         if len(pieces) * at_once > MOST_STEPS:
             raise RigidtopError(f"more than {MOST_STEPS} steps on the way to {end:g}")
@@ -156,7 +156,7 @@ def sampled(integrator: Any, start: Floats, parameters: Floats, times: Floats) -
     grid, places = np.unique(np.abs(np.append(0.0, times)), return_inverse=True)
     size, count = integrator.batch_size, start.shape[1]
     at = np.repeat(np.copysign(grid, times[-1])[:, None], size, axis=1)
-    found = np.empty((len(grid), *start.shape))
+    samples = np.empty((len(grid), *start.shape))
     for first in range(0, count, size):
         last = min(first + size, count)
         full = np.resize(np.arange(first, last), size)  # the last batch has some motions twice
@@ -164,9 +164,9 @@ def sampled(integrator: Any, start: Floats, parameters: Floats, times: Floats) -
         integrator.state[:] = start[:, full]
         integrator.pars[:] = parameters[: len(integrator.pars), full]
         _, states = integrator.propagate_grid(at, max_steps=MOST_STEPS)
-        found[..., first:last] = states[..., : last - first]
-    made: Floats = found[places[1:]]
-    return made
+        samples[..., first:last] = states[..., : last - first]
+    later: Floats = samples[places[1:]]
+    return later
 
 
 def _path(

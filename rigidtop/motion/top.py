@@ -117,10 +117,10 @@ at least 404.408656 J
                 )
             return TopMotion(self, from_constants(self, *constants, theta, phi, psi))
         if attitude is not None or omega is not None:
-            given = [name for name, x in zip(GIVEN, angles, strict=True) if x is not None]
-            if given:
+            names = [name for name, x in zip(GIVEN, angles, strict=True) if x is not None]
+            if names:
                 raise RigidtopError(
-                    f"give attitude and omega, or Euler angles, not both: {', '.join(given)} too"
+                    f"give attitude and omega, or Euler angles, not both: {', '.join(names)} too"
                 )
             if attitude is None or omega is None:
                 raise RigidtopError("attitude and omega are needed together")

@@ -87,16 +87,16 @@ class TopModel(FitModel[Motion]):
             return cumulative_trapezoid(values, over, initial=0)
 
         a, b, _ = _lines([t, -summed(cosine)], summed(sine**2, self.phi))
-        made = []
+        starts = []
         for factor in (1.0, 0.5, 0.0, 2.0, -1.0):
             rate = (a - b * cosine * factor + b * (factor - 1) * cosine.mean()) / sine**2
-            known = summed(summed(sine * rate * (cosine * rate - b * factor)))
-            mu, v_theta, theta = _lines([summed(summed(sine)), t], self.theta - known)
+            part = summed(summed(sine * rate * (cosine * rate - b * factor)))
+            mu, v_theta, theta = _lines([summed(summed(sine)), t], self.theta - part)
             start = [b * factor, mu, theta, v_theta, self.phi[0], rate[0] * sine[0]]
             if self.psi is not None:
                 start += [_lines([t], self.psi + summed(cosine, self.phi))[0], self.psi[0]]
-            made.append(np.array(start))
-        return made
+            starts.append(np.array(start))
+        return starts
 
     def telling(self, parameters: Floats) -> Floats:
         spin, weight = np.abs(parameters[:2])
@@ -118,16 +118,16 @@ class TopModel(FitModel[Motion]):
 
     def quantities(self, parameters: Floats) -> dict[str, Floats]:
         names = ("spin", "weight", "theta", "theta_dot", "phi", "v_phi", "omega3", "psi")
-        told = dict(zip(names, parameters.T, strict=False)) | {"weight": np.abs(parameters[:, 1])}
+        values = dict(zip(names, parameters.T, strict=False)) | {"weight": np.abs(parameters[:, 1])}
         if self.psi is not None:
-            told["lambda3/lambda1"] = told["spin"] / told["omega3"]
-        return told
+            values["lambda3/lambda1"] = values["spin"] / values["omega3"]
+        return values
 
     def still(self) -> Floats:
         """The residuals of a steady precession, one column for each angle."""
-        made = [self.theta - self.theta.mean()]
+        columns = [self.theta - self.theta.mean()]
         for angle in (self.phi, self.psi):
             if angle is not None:
                 rate, first = _lines([self.t], angle)
-                made.append(angle - rate * self.t - first)
-        return np.stack(made, axis=-1)
+                columns.append(angle - rate * self.t - first)
+        return np.stack(columns, axis=-1)

@@ -63,15 +63,15 @@ class Trajectory(Rows):
         body = self.motion.body
         # No matrix product, whose last digit depends on how its rows lie in the memory.
         kinetic = (self.omega**2 * body.moments).sum(axis=1) / 2
-        made: Floats = kinetic + self.vertical @ np.array(body.weight)
-        return made
+        energy: Floats = kinetic + self.vertical @ np.array(body.weight)
+        return energy
 
     def columns(self) -> dict[str, Floats]:
         """t, ω in the body, e₃ and the energy."""
-        made = {"t/s": self.t}
-        made |= {f"omega{k + 1}/(rad/s)": self.omega[:, k] for k in range(3)}
-        made |= {f"e3_{axis}": self.e3[:, k] for k, axis in enumerate("xyz")}
-        return made | {"energy/J": self.energy}
+        columns = {"t/s": self.t}
+        columns |= {f"omega{k + 1}/(rad/s)": self.omega[:, k] for k in range(3)}
+        columns |= {f"e3_{axis}": self.e3[:, k] for k, axis in enumerate("xyz")}
+        return columns | {"energy/J": self.energy}
 
     def conserved(self) -> Mapping[str, Floats]:
         """What the exact motion keeps: the energy, and L (free) or L_z, called p_φ (heavy)."""
@@ -156,8 +156,8 @@ class TopTrajectory(TopState, Trajectory):
     def euler_columns(self) -> dict[str, Floats]:
         """t, the Euler angles and their rates, by name and unit."""
         angles = ("theta", "phi", "psi")
-        made = {"t/s": self.t} | {f"{name}/rad": getattr(self, name) for name in angles}
-        return made | {f"{name}_dot/(rad/s)": getattr(self, f"{name}_dot") for name in angles}
+        columns = {"t/s": self.t} | {f"{name}/rad": getattr(self, name) for name in angles}
+        return columns | {f"{name}_dot/(rad/s)": getattr(self, f"{name}_dot") for name in angles}
 
     def columns(self) -> dict[str, Floats]:
         """t, the Euler angles, their rates and the energy."""

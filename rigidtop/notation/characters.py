@@ -151,11 +151,11 @@ def joined(left: str, right: str) -> str:
 
 def opened(text: str) -> str:
     """The text with dots and hats apart from their letters; other accents stay as they are."""
-    made = []
+    pieces = []
     for c in unicodedata.normalize("NFC", text):
         apart = unicodedata.normalize("NFD", c)
-        made.append(apart if all(mark in MARKS for mark in apart[1:]) else c)
-    return "".join(made)
+        pieces.append(apart if all(mark in MARKS for mark in apart[1:]) else c)
+    return "".join(pieces)
 
 
 def escape(text: str) -> str:
@@ -179,10 +179,10 @@ def unwritable(text: str) -> tuple[str, ...]:
         try:
             escape(character)
         except ValueError:
-            known = character in LETTERS or character in MARKS
+            is_writable = character in LETTERS or character in MARKS
         else:
-            known = not character.isascii() or character.isprintable() or character in "\n\t"
-        if not known:
+            is_writable = not character.isascii() or character.isprintable() or character in "\n\t"
+        if not is_writable:
             unknown.append(character)
     return tuple(dict.fromkeys(unknown))
 

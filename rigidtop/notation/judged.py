@@ -77,22 +77,22 @@ def _assumption(notation: Notation, assumption: Assumption) -> Assumption:
 
 def _resolved(notation: Notation, meaning: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
     """What symbols mean; vectors along this notation's e₁′ and e₂′ where they are along primes."""
-    made = _meaning(notation, meaning)
+    own = _meaning(notation, meaning)
     axes = {s.e1p: X_AXIS, s.e2p: Y_AXIS}
     if not any(meaning.get(axis) == along for axis, along in axes.items()):
-        return made
+        return own
     turn = Matrix.hstack(
-        *(made.get(notation.letters.get(axis, axis), along) for axis, along in axes.items()), Z_AXIS
+        *(own.get(notation.letters.get(axis, axis), along) for axis, along in axes.items()), Z_AXIS
     )
     return {
         key: turn.T * means if isinstance(means, MatrixBase) and means.shape == (3, 1) else means
-        for key, means in made.items()
+        for key, means in own.items()
     }
 
 
 def _meaning(notation: Notation, meaning: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
     """What symbols mean; of −e₂′ its meaning with the other sign, where e₁′ had one."""
-    made = {}
+    images = {}
     for key, means in meaning.items():
         image = notation.images.get(key)
         means = _meant(notation, means)
@@ -102,8 +102,8 @@ def _meaning(notation: Notation, meaning: Mapping[Expr, Expr]) -> dict[Expr, Exp
             key = image.symbol
             means = -means if image.negative else means
             means = means - image.quarters * pi / 2 if image.quarters else means
-        made[key] = means
-    return made
+        images[key] = means
+    return images
 
 
 def _meant(notation: Notation, means: Expr) -> Expr:
@@ -115,6 +115,6 @@ def _meant(notation: Notation, means: Expr) -> Expr:
     return notation.written(means)
 
 
-def _numbers(notation: Notation, found: Counterexample) -> Counterexample:
+def _numbers(notation: Notation, counterexample: Counterexample) -> Counterexample:
     """The same point: where φ is counted from another axis, it has another value there."""
-    return replace(found, values=_meaning(notation, found.values))
+    return replace(counterexample, values=_meaning(notation, counterexample.values))

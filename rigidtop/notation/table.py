@@ -134,11 +134,11 @@ def _notation(table: Toml, name: str) -> Notation:
 # --- Entries -------------------------------------------------------------------------------------
 
 
-def _require(condition: bool, said: str, given: str = "", known: Any = ()) -> None:
+def _require(condition: bool, complaint: str, name: str = "", names: Any = ()) -> None:
     """Raise unless the condition holds, with what may have been meant."""
     if not condition:
-        near = get_close_matches(given, known, n=1, cutoff=0.5)
-        raise _TableError(f"{said}; did you mean {near[0]}?" if near else said)
+        near = get_close_matches(name, names, n=1, cutoff=0.5)
+        raise _TableError(f"{complaint}; did you mean {near[0]}?" if near else complaint)
 
 
 def _typed(value: Any, kind: type, where: str) -> Any:
@@ -151,8 +151,8 @@ def _known(letters: str, where: str) -> None:
     """Refuse what not every way of print has, or what would be more than a letter there."""
     _require(letters.strip() != "", f"{where} is empty")
     for c in letters:
-        known = (c.isascii() and c.isalnum()) or c in _MORE or _is_greek(c)
-        _require(known, f"{where}: {c!r} is no letter that is known here")
+        is_writable = (c.isascii() and c.isalnum()) or c in _MORE or _is_greek(c)
+        _require(is_writable, f"{where}: {c!r} is no letter that is known here")
 
 
 def _is_greek(c: str) -> bool:
@@ -189,10 +189,10 @@ def _euler(entry: Toml) -> tuple[str, tuple[str, ...]]:
             key in ("sequence", "angles"), f"euler: no entry {key!r}", key, ("sequence", "angles")
         )
     sequence = _typed(entry.get("sequence", "zyz"), str, "euler.sequence")
-    known = " or ".join(SEQUENCES)
+    sequences = " or ".join(SEQUENCES)
     _require(
         sequence in SEQUENCES,
-        f"euler.sequence is {known}, whose θ is the polar angle of e₃, not {sequence!r}",
+        f"euler.sequence is {sequences}, whose θ is the polar angle of e₃, not {sequence!r}",
     )
     angles = _typed(entry.get("angles", list(_ANGLES)), list, "euler.angles")
     right = len(angles) == 3 and all(isinstance(x, str) and len(x) == 1 for x in angles)
@@ -219,8 +219,8 @@ def _with(glyph: Glyph, new: Mapping[str, str]) -> Glyph:
 def _lettered(letters: Toml) -> dict[Symbol, Glyph]:
     """A letter for another in every symbol that has it as its base."""
     for old, new in letters.items():
-        known = {glyph.base for glyph in _PRINTED.values()}
-        _require(old in known, f"letters: no symbol is written with {old!r}")
+        originals = {glyph.base for glyph in _PRINTED.values()}
+        _require(old in originals, f"letters: no symbol is written with {old!r}")
         _known(_typed(new, str, f"letters.{old}"), f"letters.{old}")
     return {
         symbol: replace(glyph, base=letters[glyph.base])
@@ -231,22 +231,22 @@ def _lettered(letters: Toml) -> dict[Symbol, Glyph]:
 
 def _spellings(entries: Toml, glyphs: Mapping[Symbol, Glyph]) -> dict[Glyph, Symbol]:
     """The glyphs that are read as a symbol although they are not its own."""
-    made: dict[Glyph, Symbol] = {}
+    symbols: dict[Glyph, Symbol] = {}
     for key, listed in entries.items():
         symbol, where = _symbol(key, "spellings"), f"spellings.{key}"
         for entry in _typed(listed, list, where):
             glyph = _glyph(_typed(entry, dict, where), where, glyphs[symbol])
-            other = made.get(glyph, symbol)
+            other = symbols.get(glyph, symbol)
             _require(other == symbol, f"{where}: {_shown(glyph)} is {other.name} already")
-            made[glyph] = symbol
-    return made
+            symbols[glyph] = symbol
+    return symbols
 
 
 def _inherited(glyphs: Mapping[Symbol, Glyph]) -> dict[Glyph, Symbol]:
     """What is understood besides in the notes, of symbols that are written as there."""
     entries = _toml(files(__package__).joinpath("notes.toml").read_text("utf-8"))["spellings"]
-    found = _spellings(entries, _PRINTED)
-    return {glyph: x for glyph, x in found.items() if glyphs[x] == _PRINTED[x]}
+    spellings = _spellings(entries, _PRINTED)
+    return {glyph: x for glyph, x in spellings.items() if glyphs[x] == _PRINTED[x]}
 
 
 def _unambiguous(
@@ -274,8 +274,8 @@ def _shown(glyph: Glyph) -> str:
     """A glyph as a message names it, with its accents in words."""
     index = f"_{glyph.sub}" if glyph.sub else ""
     words = [word for word, there in (("bold", glyph.bold), (glyph.accent, glyph.accent)) if there]
-    said = f" ({', '.join(words)})" if words else ""
-    return f"{glyph.base}{index}{'′' * glyph.prime}{said}"
+    addition = f" ({', '.join(words)})" if words else ""
+    return f"{glyph.base}{index}{'′' * glyph.prime}{addition}"
 
 
 # --- Names in code -------------------------------------------------------------------------------

@@ -182,21 +182,21 @@ def _without_minus(tree: Expr) -> Expr | None:
 def _without_minuses(side: Expr) -> Expr | None:
     """A side of an equation without the minus sign before each of its terms."""
     terms = side.args if isinstance(side, Add) else (side,)
-    made = [_without_minus(term) if isinstance(term, Expr) else None for term in terms]
-    if None in made:
+    positive = [_without_minus(term) if isinstance(term, Expr) else None for term in terms]
+    if None in positive:
         return None
     with as_printed() if is_typed(side) else nullcontext():
-        return Add(*made) if len(made) > 1 else made[0]
+        return Add(*positive) if len(positive) > 1 else positive[0]
 
 
 def _product(tree: Expr, parts: list[Signed]) -> Signed:
     negative = sum(minus for minus, _ in parts) % 2 == 1
-    made = tree.func(*(part for _, part in parts))
+    product = tree.func(*(part for _, part in parts))
     if negative:
-        positive = _without_minus(made)
+        positive = _without_minus(product)
         if positive is not None:
             return False, positive
-    return negative, made
+    return negative, product
 
 
 def _sum(parts: list[Signed]) -> Expr:
@@ -216,11 +216,11 @@ def _brace(tree: Underbrace, images: Images) -> Signed:
 
 def _power(tree: Pow, images: Images) -> Signed:
     base, exponent = tree.args
-    negative, made = _signed(base, images)
+    negative, image = _signed(base, images)
     exponent = _made(*_signed(exponent, images))
     if negative and exponent.is_Integer:
-        return exponent.is_odd, Pow(made, exponent)
-    return False, Pow(_made(negative, made), exponent)
+        return exponent.is_odd, Pow(image, exponent)
+    return False, Pow(_made(negative, image), exponent)
 
 
 def _derivative(tree: Derivative, images: Images) -> Signed:
@@ -233,12 +233,12 @@ def _variables(
     variables: Iterable[tuple[Symbol, int]], images: Images
 ) -> tuple[bool, list[tuple[Symbol, int]]]:
     """What is differentiated by, and the sign that comes up: an offset changes no derivative."""
-    negative, made = False, []
+    negative, pairs = False, []
     for variable, count in variables:
         image = images.get(variable, Image(variable))
         negative ^= image.negative and bool(count % 2)
-        made.append((image.symbol, count))
-    return negative, made
+        pairs.append((image.symbol, count))
+    return negative, pairs
 
 
 def _trigonometric(tree: Expr, images: Images) -> Signed:
@@ -252,10 +252,10 @@ def _trigonometric(tree: Expr, images: Images) -> Signed:
     minus, function = _turned(tree.func, int(offset))
     if negative and function is not cos:
         minus = not minus
-    made = function(inside)
+    image = function(inside)
     if function is tan and offset.is_odd:
-        made = Pow(made, -1)
-    return minus, made
+        image = Pow(image, -1)
+    return minus, image
 
 
 def _offset(argument: Expr, images: Images) -> Expr | None:

@@ -139,11 +139,11 @@ _ALIKE = {
 
 def _framed(mark: VerdictSpan, n: int) -> str:
     """A marked equation: what it says, its number and verdict, and why."""
-    shown = "".join(map(_block, mark.formulas))
+    blocks = "".join(map(_block, mark.formulas))
     amiss = "" if mark.passed else " amiss"
     why = f'<span class="why">{note_html(mark.note)}</span>' if mark.note else ""
     return (
-        f'<span class="audited{amiss}" id="{_anchor(mark, n)}"><span class="eq">{shown}</span>'
+        f'<span class="audited{amiss}" id="{_anchor(mark, n)}"><span class="eq">{blocks}</span>'
         f'<span class="side"><span class="tag">{_name(mark)}</span>'
         f"{verdict_badge(mark.verdict)}</span>{why}</span>"
     )
@@ -154,8 +154,8 @@ def _block(formula: FormulaSpan) -> str:
 
 
 def _inline(formula: FormulaSpan) -> str:
-    shown = _block(formula)
-    return f'<span class="shown eq">{shown}</span>' if formula.display else shown
+    block = _block(formula)
+    return f'<span class="shown eq">{block}</span>' if formula.display else block
 
 
 # --- Text ----------------------------------------------------------------------------------------
@@ -180,7 +180,7 @@ def _text(
     source: str, inside: dict[int, tuple[int, str]], framed: dict[int, tuple[int, str]]
 ) -> str:
     """The text as blocks, with HTML in the places of formulas; of a whole document its body."""
-    made: list[str] = []
+    pieces: list[str] = []
     frames: set[int] = set()
     begin = _BEGIN.search(source)
     woven, at = "", begin.end() if begin else 0
@@ -190,9 +190,9 @@ def _text(
         if not at <= start < last:
             continue
         if start in framed:
-            frames.add(len(made))
-        woven += _clean(source[at:start]) + f"{_OPEN}{len(made)}{_CLOSE}"
-        made.append(html)
+            frames.add(len(pieces))
+        woven += _clean(source[at:start]) + f"{_OPEN}{len(pieces)}{_CLOSE}"
+        pieces.append(html)
         at = end
     woven += _clean(source[at:last])
     woven = re.sub(f"{_CLOSE}[ \t]+(?=[,.;:)])", _CLOSE, woven)
@@ -204,7 +204,7 @@ def _text(
         if block.strip()
         for html in _html_blocks(block.strip(), frames)
     ]
-    return _PLACE.sub(lambda place: made[int(place[1])], "\n".join(blocks))
+    return _PLACE.sub(lambda place: pieces[int(place[1])], "\n".join(blocks))
 
 
 def _clean(text: str) -> str:
@@ -213,15 +213,15 @@ def _clean(text: str) -> str:
 
 def _html_blocks(block: str, frames: set[int]) -> list[str]:
     """Headings, items and paragraphs of a piece of text between blank lines."""
-    made: list[str] = []
+    blocks: list[str] = []
     lines: list[str] = []
     items: list[list[str]] = []
 
     def close() -> None:
         if lines:
-            made.append(f"<p>{_inner(' '.join(lines))}</p>")
+            blocks.append(f"<p>{_inner(' '.join(lines))}</p>")
         if items:
-            made.append(
+            blocks.append(
                 "<ul>" + "".join(f"<li>{_inner(' '.join(item))}</li>" for item in items) + "</ul>"
             )
         lines.clear()
@@ -235,7 +235,7 @@ def _html_blocks(block: str, frames: set[int]) -> list[str]:
             level = min(len(heading[1]) + 1, 4)
             title = heading[2].rstrip().rstrip("#").rstrip()
             words = _PLACE.sub(lambda p: "" if int(p[1]) in frames else p[0], title)
-            made.append(f"<h{level}>{_inner(words)}</h{level}>")
+            blocks.append(f"<h{level}>{_inner(words)}</h{level}>")
             lines += [p[0] for p in _PLACE.finditer(title) if int(p[1]) in frames]
         elif item:
             if lines:
@@ -246,7 +246,7 @@ def _html_blocks(block: str, frames: set[int]) -> list[str]:
         else:
             lines.append(line)
     close()
-    return made
+    return blocks
 
 
 def _inner(text: str) -> str:

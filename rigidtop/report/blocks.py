@@ -436,18 +436,18 @@ def walked(tree: T, change: Callable[[Any, str], Any], name: str = "") -> T:
     The `change` is told a part and the name of its field; what it leaves is the same object.
     Formulas are one part, and so are the lines of a lecture, which are not of this tree.
     """
-    made: Any = tree
+    image: Any = tree
     if isinstance(tree, Node | Equation | Lecture):
         return tree
     if isinstance(tree, tuple):
         parts = tuple(walked(each, change, name) for each in tree)
-        made = parts if any(a is not b for a, b in zip(parts, tree, strict=True)) else tree
+        image = parts if any(a is not b for a, b in zip(parts, tree, strict=True)) else tree
     elif is_dataclass(tree) and not isinstance(tree, type):
         had = {field.name: getattr(tree, field.name) for field in fields(tree) if field.init}
         new = {field: walked(part, change, field) for field, part in had.items()}
         new = {field: part for field, part in new.items() if part is not had[field]}
-        made = replace(tree, **new) if new else tree
-    changed: T = change(made, name)
+        image = replace(tree, **new) if new else tree
+    changed: T = change(image, name)
     return changed
 
 

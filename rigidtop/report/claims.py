@@ -148,18 +148,18 @@ def _meanings(judgement: Judgement) -> tuple[b.DisplayRow, ...]:
     """What the symbols of the claim stand for in the engine, where that is short and the same
     in all checks of what the notes print, and not shown as a step."""
     checks = [finding.check for finding in judgement.findings()]
-    shown = {item.equation.sides for item in judgement.items if isinstance(item, Step)}
-    found: dict[str, set[b.DisplayRow]] = {}
+    steps = {item.equation.sides for item in judgement.items if isinstance(item, Step)}
+    rows_of: dict[str, set[b.DisplayRow]] = {}
     for check in [c for c in checks if c.printed] or checks:
         for symbol, meaning in check.meaning.items():
             used = any(side.has(symbol) for side in check.claimed.sides)
             if used and _is_shown(symbol, meaning):
                 row = b.DisplayRow(Equation(symbol, meaning), "auto")
-                found.setdefault(text(symbol), set()).add(row)
+                rows_of.setdefault(text(symbol), set()).add(row)
     rows = [
-        row for alternatives in found.values() if len(alternatives) == 1 for row in alternatives
+        row for alternatives in rows_of.values() if len(alternatives) == 1 for row in alternatives
     ]
-    return tuple(row for row in rows if row.equation.sides not in shown and _is_short(row.equation))
+    return tuple(row for row in rows if row.equation.sides not in steps and _is_short(row.equation))
 
 
 def _is_short(equation: Equation) -> bool:

@@ -47,13 +47,13 @@ class Parts:
         """What stands beside and behind the `lines` of a claim."""
         if self.recorded:
             return claim_blocks(judgement)
-        made = marked(judgement, lines)
-        quarrel = [each for each in made if not isinstance(each, b.MarginMark)]
+        marks = marked(judgement, lines)
+        quarrel = [each for each in marks if not isinstance(each, b.MarginMark)]
         if not quarrel:
-            return made
+            return marks
         # A student has no quarrel with the notes.
         box = b.Aside("The notes", for_lecturers=True), *quarrel, b.AsideEnd()
-        return (*(each for each in made if isinstance(each, b.MarginMark)), *box)
+        return (*(each for each in marks if isinstance(each, b.MarginMark)), *box)
 
     def alone(self, judgement: Judgement) -> list[b.Block]:
         """The blocks of a claim that has no lines."""
@@ -166,8 +166,8 @@ def question(
         # A line does not begin with a few digits.
         space = "\u00a0" if len(plain.rich(value)) < SHORT else " "
         settings.append((parameter.about, f":{space}", *value))
-    told = [b.Paragraph((*b.listed(settings, "; "), "."), "Given")] if settings else []
-    return [*posed(exercise, number, points), *told]
+    data = [b.Paragraph((*b.listed(settings, "; "), "."), "Given")] if settings else []
+    return [*posed(exercise, number, points), *data]
 
 
 SHORT = 12
@@ -194,31 +194,31 @@ def total(points: str, exercises: int) -> str:
 def solutions(
     exercises: Sequence[Solution],
     parts: Parts,
-    told: Mapping[str, b.Rich],
+    places: Mapping[str, b.Rich],
 ) -> list[b.Block]:
-    """The appendix.  `told` says where a claim of the lecture was derived."""
+    """The appendix.  `places` says where a claim of the lecture was derived."""
     blocks: list[b.Block] = [b.SectionHead(1, "", "Solutions of the exercises", "solutions")]
-    known = dict(told)
+    whole = dict(places)
     for number, each in enumerate(exercises, 1):
         place = f"{b.anchor(each.exercise.name)}-solution"
         blocks.append(b.ExerciseHead(each.exercise.title, place, "", number, kind="Solution"))
-        blocks += answer(each, parts, known)
+        blocks += answer(each, parts, whole)
         there = "Solution", "\u00a0", b.Cited(f"{number}", place)
-        known = {j.claim.name: there for j in each.judgements} | known
+        whole = {j.claim.name: there for j in each.judgements} | whole
     return blocks
 
 
-def answer(solution: Solution, parts: Parts, told: Mapping[str, b.Rich]) -> list[b.Block]:
+def answer(solution: Solution, parts: Parts, places: Mapping[str, b.Rich]) -> list[b.Block]:
     """What an exercise comes to, in symbols and in numbers."""
     exercise = solution.exercise
     blocks: list[b.Block] = []
-    had = [j for j in solution.judgements if j.claim.name in told]
+    had = [j for j in solution.judgements if j.claim.name in places]
     there = [j.claim for j in had if j.verdict is not Verdict.FALSE]
     if there:
-        names = (_called(claim, told[claim.name]) for claim in there)
+        names = (_called(claim, places[claim.name]) for claim in there)
         blocks.append(b.Paragraph(("We have shown: ", *b.listed(names, last=" and "), ".")))
     text, lines = solution.text, solution.lines
-    new = [j for j in solution.judgements if j.claim.name not in told]
+    new = [j for j in solution.judgements if j.claim.name not in places]
     if text is None:
         blocks += [block for each in new for block in parts.alone(each)]
     else:
@@ -232,9 +232,9 @@ def answer(solution: Solution, parts: Parts, told: Mapping[str, b.Rich]) -> list
     return blocks
 
 
-def laws(lines: Lecture, shown: Collection[str], notation: Notation) -> list[b.Block]:
-    """What the derivations of the `shown` pages start from."""
-    cited = law_blocks(lines, shown, notation)
+def laws(lines: Lecture, pages: Collection[str], notation: Notation) -> list[b.Block]:
+    """What the derivations of these pages start from."""
+    cited = law_blocks(lines, pages, notation)
     return [b.SectionHead(1, "", "Laws and definitions", "laws"), *cited] if cited else []
 
 
@@ -288,8 +288,8 @@ def summary(judged: b.Judged, parts: Parts, student: bool = False) -> list[b.Blo
                 words: b.Rich = (judgement.claim.says,)
                 if corrected:
                     right = [*filter(None, (f.check.reason for f in judgement.corrections()))]
-                    said = judgement.claim.says.rstrip(".")
-                    words = (SAID, " ".join((f"{said}.", *right)))
+                    sentence = judgement.claim.says.rstrip(".")
+                    words = (SAID, " ".join((f"{sentence}.", *right)))
                     words = (" ".join(right),) if student and right else words
                 rows.append((name, tuple(equations), words, judgement.verdict))
     if not rows:
@@ -340,11 +340,11 @@ def linked(blocks: Sequence[b.Block]) -> list[b.Block]:
     there = {f"({tag})" for tag in tags(blocks)}
 
     def cited(content: b.Rich) -> b.Rich:
-        made: list[Any] = []
+        pieces: list[Any] = []
         for piece in content:
             parts = NUMBER.split(piece) if type(piece) is str else [piece]
-            made += [b.Cited(x, b.anchor(x)) if x in there else x for x in parts if x != ""]
-        return tuple(made)
+            pieces += [b.Cited(x, b.anchor(x)) if x in there else x for x in parts if x != ""]
+        return tuple(pieces)
 
     def leading(part: Any, _: str) -> Any:
         match part:

@@ -48,13 +48,13 @@ def style(*names: str) -> str:
         f"--{verdict}: light-dark(#{light}, #{dark});"
         for verdict, (light, dark) in b.COLORS.items()
     )
-    made = "".join(folder.joinpath(name).read_text("utf-8") for name in names)
+    text = "".join(folder.joinpath(name).read_text("utf-8") for name in names)
 
     def font(place: re.Match[str]) -> str:
         letters = b64encode(folder.joinpath(place[1]).read_bytes()).decode()
         return f"url(data:font/woff2;base64,{letters})"
 
-    return re.sub(r"url\((\w+\.woff2)\)", font, made).replace("@COLORS@", colors)
+    return re.sub(r"url\((\w+\.woff2)\)", font, text).replace("@COLORS@", colors)
 
 
 def page(
@@ -97,8 +97,8 @@ def write(
         *["lecture.css"] * document.lecture,
         f"{'slides' if slides else 'print'}.css",
     ]
-    shown = ("slides.js", "projector.js") if slides else ("refit.js",)
-    scripts = ("fit.js", *["lecture.js"] * (document.lecture and not slides), *shown)
+    extra = ("slides.js", "projector.js") if slides else ("refit.js",)
+    scripts = ("fit.js", *["lecture.js"] * (document.lecture and not slides), *extra)
     # The marks of CDATA are comments to a browser, and keep the page well-formed XML.
     script = f"<script>/*<![CDATA[*/{style(*scripts)}/*]]>*/</script>\n"
     body = f"""{_contents(document)}
@@ -172,15 +172,15 @@ def _entry(block: b.SectionHead | b.ExerciseHead) -> str:
 
 def _sections(document: b.Document, figures: Mapping[str, str]) -> list[str]:
     """The blocks, those together that have columns on paper."""
-    made: list[str] = []
+    pieces: list[str] = []
     end = ""
     for block in document.blocks:
         if isinstance(block, b.SectionHead) and block.level == 1:
             wide = block.anchor not in b.IN_COLUMNS
-            made += [end, "" if wide else '<div class="columns">']
+            pieces += [end, "" if wide else '<div class="columns">']
             end = "" if wide else "</div>"
-        made.append(_figure(block, figures) if isinstance(block, b.Figure) else html_block(block))
-    return [each for each in (*made, end) if each]
+        pieces.append(_figure(block, figures) if isinstance(block, b.Figure) else html_block(block))
+    return [each for each in (*pieces, end) if each]
 
 
 def fragment(blocks: Sequence[b.Block]) -> str:
@@ -210,8 +210,8 @@ def _figure(block: b.Figure, figures: Mapping[str, str]) -> str:
 
 def _flat(formula: lay.Node) -> str:
     """A formula in a sentence; its brackets do not grow where it is no higher than its line."""
-    made = mathml.mathml(lay.flat(formula))
-    return made if "<mfrac" in made else made.replace('stretchy="true"', 'stretchy="false"')
+    markup = mathml.mathml(lay.flat(formula))
+    return markup if "<mfrac" in markup else markup.replace('stretchy="true"', 'stretchy="false"')
 
 
 def badge(verdict: Verdict) -> str:
@@ -290,7 +290,7 @@ def _row(group: Sequence[b.DisplayRow], step: bool = False) -> str:
     why = f'<p class="why">{rich(speaker.spoken)}</p>' if speaker.reason else ""
     equations = [row.equation for row in group]
     wide, narrow = (mathml.display(equations, last.order, n) for n in (sizes.LINE, NARROW))
-    shown = wide if wide == narrow else _classed(wide, "wide") + _classed(narrow, "narrow")
+    body = wide if wide == narrow else _classed(wide, "wide") + _classed(narrow, "narrow")
     side = badge(last.verdict) if last.verdict is not None else ""
     number = f'<span class="tag">({last.tag})</span>' if last.tag else ""
     mark = next((row.mark for row in reversed(group) if row.mark is not None), None)
@@ -299,7 +299,7 @@ def _row(group: Sequence[b.DisplayRow], step: bool = False) -> str:
         number = f'<a class="place" href="#{place}">{number}</a>'
     side += f" {number}" if number else ""
     side += seal(mark) if mark is not None else ""
-    line = f'<div class="eq">{shown}</div>' + (f"<div>{side.strip()}</div>" if side else "")
+    line = f'<div class="eq">{body}</div>' + (f"<div>{side.strip()}</div>" if side else "")
     if not step:
         return f'<div class="row">{why}{line}</div>'
     kind = "row result" if last.tag or mark is not None else "row step"
@@ -307,9 +307,9 @@ def _row(group: Sequence[b.DisplayRow], step: bool = False) -> str:
     if equations[1:]:
         source = aligned(aligned_lines(equations, last.order, math.inf))
     name = f' id="{place}"' if place else ""
-    known = f' data-line="{speaker.line}" data-cites="{" ".join(speaker.cites)}"'
+    attributes = f' data-line="{speaker.line}" data-cites="{" ".join(speaker.cites)}"'
     return (
-        f'<div class="{kind}"{name}{known * bool(speaker.line)} data-tex="{escape(source)}">'
+        f'<div class="{kind}"{name}{attributes * bool(speaker.line)} data-tex="{escape(source)}">'
         f"{why}{line}</div>{_aside(mark)}"
     )
 
@@ -357,8 +357,8 @@ def _title(words: str) -> str:
     """The title of a column or a row; formulas alone are no text that a screen reader looks for."""
     if re.sub(r"<math.*?</math>", "", words).strip():
         return words
-    said = " ".join(re.findall(r'alttext="([^"]*)"', words))
-    return f'<span class="unseen">{said}</span><span aria-hidden="true">{words}</span>'
+    spoken = " ".join(re.findall(r'alttext="([^"]*)"', words))
+    return f'<span class="unseen">{spoken}</span><span aria-hidden="true">{words}</span>'
 
 
 @html_block.register

@@ -59,9 +59,9 @@ def _told(
     judgement: Judgement, notation: Notation, deep: bool = False, *, marks: bool = False
 ) -> list[b.Block]:
     """A claim with its derivation and all that was found, its head first."""
-    told = claim_told(Wording(notation).judgement(judgement), notation, deep, marks=marks)
-    told[1:1] = notations.remark(notation, symbols_used(told))
-    return told
+    content = claim_told(Wording(notation).judgement(judgement), notation, deep, marks=marks)
+    content[1:1] = notations.remark(notation, symbols_used(content))
+    return content
 
 
 @dataclass(frozen=True)
@@ -94,17 +94,17 @@ def picture(solution: Solution, notation: Notation | None = None) -> PlacedFigur
     if not solution.exercise.figure:
         return None
     drawing = named(solution.exercise.figure)
-    known = {parameter.name for parameter in drawing.parameters}
-    given = {name: value for name, value in solution.settings.items() if name in known}
-    shown = Wording(notation or NOTES_NOTATION).drawing(drawing)
-    return PlacedFigure(f"exercise-{solution.exercise.name}", shown, given)
+    names = {parameter.name for parameter in drawing.parameters}
+    values = {name: value for name, value in solution.settings.items() if name in names}
+    translated = Wording(notation or NOTES_NOTATION).drawing(drawing)
+    return PlacedFigure(f"exercise-{solution.exercise.name}", translated, values)
 
 
 def exercise_fragment(solution: Solution, notation: Notation = NOTES_NOTATION) -> str:
     """An exercise with its solution, as text of one format."""
-    told = blocks(solution_in(notation, solution), notation=notation)
-    told[1:1] = notations.remark(notation, symbols_used(told))
-    return plain.fragment(told, terminal_width())
+    content = blocks(solution_in(notation, solution), notation=notation)
+    content[1:1] = notations.remark(notation, symbols_used(content))
+    return plain.fragment(content, terminal_width())
 
 
 def claims_told(
@@ -114,25 +114,25 @@ def claims_told(
 
     That is its derivation, what was found, what it rests on, and what rests on it.
     """
-    known = {j.claim.name: j for _, judgements in judged for j in judgements}
-    known |= {j.claim.name: j for each in solutions for j in each.judgements}
+    judgements_by_name = {j.claim.name: j for _, judgements in judged for j in judgements}
+    judgements_by_name |= {j.claim.name: j for each in solutions for j in each.judgements}
 
     def named(label: str, names: Sequence[str]) -> b.Paragraph:
         return b.Paragraph((*b.listed((cited(name),) for name in names), "."), label)
 
     def cited(name: str) -> b.Piece:
         words = map_label(lines, name, notation)
-        return b.Cited(words, myst.page_of(b.anchor(name))) if name in known else words
+        return b.Cited(words, myst.page_of(b.anchor(name))) if name in judgements_by_name else words
 
-    made: list[tuple[b.ClaimHead, list[b.Block]]] = []
-    for name, judgement in known.items():
-        head, *told = _told(judgement, notation)
+    entries: list[tuple[b.ClaimHead, list[b.Block]]] = []
+    for name, judgement in judgements_by_name.items():
+        head, *content = _told(judgement, notation)
         assert isinstance(head, b.ClaimHead)
         if name in lines.names:
             resting = {"Rests on": lines.map[name], "On it rest": lines.resting(name)}
-            told += [named(label, names) for label, names in resting.items() if names]
-        made.append((head, told))
-    return made
+            content += [named(label, names) for label, names in resting.items() if names]
+        entries.append((head, content))
+    return entries
 
 
 def solution_in(notation: Notation, solution: Solution) -> Solution:
@@ -206,8 +206,8 @@ def write_lecture(
         return _write("record", *record(judged, solutions, edition), out, wanted)
     claims: myst.Claims = ()
     if wanted.myst:
-        told = () if edition.student else solutions
-        claims = claims_told(judged, told, edition.lines, edition.letters)
+        solved = () if edition.student else solutions
+        claims = claims_told(judged, solved, edition.lines, edition.letters)
     return _write("lecture", *lecture(judged, solutions, edition), out, wanted, claims)
 
 
@@ -251,11 +251,11 @@ def lecture(
     numbered = {p.name: p.described(k) for k, p in enumerate(pictures, 1)}
     parts = Parts(lines, notation, numbered, closing, edition.points)
     everything = [judgement for _, judgements in judged for judgement in judgements]
-    told: dict[str, b.Rich] = {}
+    places: dict[str, b.Rich] = {}
     for page, judgements in judged:
         *_, head = b.headings(page)
         place = (f"section\u00a0{head.number}",) if head.number else (f"“{head.title}”",)
-        told |= {j.claim.name: place for j in judgements}
+        places |= {j.claim.name: place for j in judgements}
     blocks: list[b.Block] = [marks.legend(everything)]
     if not student:
         texts |= {each.text.name for each in solutions if each.text is not None}
@@ -266,7 +266,7 @@ def lecture(
         blocks += [b.SectionHead(1, "", "What rests on what", "map"), numbered[chart.name]]
     blocks += handout.summary(judged, parts, student)
     if not student and solutions:
-        blocks += handout.solutions(solutions, parts, told)
+        blocks += handout.solutions(solutions, parts, places)
     blocks += laws
     blocks = for_students(blocks) if student else blocks
     blocks = handout.linked(handout.parted([*blocks, *symbol_list(blocks, LETTERS)]))
@@ -293,21 +293,21 @@ def _map(lines: Lecture, notation: Notation) -> PlacedFigure | None:
         return None
     used = {name for on in numbered.values() for name in on}
     kept = {name for name in numbered if name not in lines.laws or name in used}
-    shown = {name: on for name, on in numbered.items() if name in kept}
+    nodes = {name: on for name, on in numbered.items() if name in kept}
     caption = (
         "Which numbered statement rests on which, by the lines of the text. A number stands for "
         "all lines of its statement, and has its place at the last of them. Arrows that a chain of "
         "others says too are left out. Light: what the lecture starts from and cites by number."
     )
     alternative = "A chart from left to right: " + "; ".join(
-        f"{name} rests on {', '.join(on)}" for name, on in shown.items() if on
+        f"{name} rests on {', '.join(on)}" for name, on in nodes.items() if on
     )
     drawing = Drawing(
         "map",
         "What rests on what",
         "",
         (),
-        draw=lambda: map_picture(lines, shown, notation, COLUMN),
+        draw=lambda: map_picture(lines, nodes, notation, COLUMN),
         printed=caption,
         spoken=alternative,
     )
@@ -338,8 +338,8 @@ def record(
 ) -> Illustrated:
     """The record of every verdict: each claim with its lines, then what was found."""
     judged, _, solutions = _written(edition, judged, solutions)
-    told = () if edition.student else solutions
-    whole = document(judged, told, edition.lines, edition.front, edition.letters)
+    solved = () if edition.student else solutions
+    whole = document(judged, solved, edition.lines, edition.front, edition.letters)
     return _introduced(whole, edition.notation), ()
 
 
@@ -383,8 +383,8 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
     own = {each.text.name for each in solutions if each.text is not None}
     lines = edition.lines
     printed = {line.id for text in lines.texts if text.name not in own for line in text.lines}
-    told: dict[str, b.Rich] = {name: () for name, ids in lines.names.items() if printed & {*ids}}
-    new = [j for each in solutions for j in each.judgements if j.claim.name not in told]
+    places: dict[str, b.Rich] = {name: () for name, ids in lines.names.items() if printed & {*ids}}
+    new = [j for each in solutions for j in each.judgements if j.claim.name not in places]
     blocks += [marks.legend(new)] if new else []
     for number, each in enumerate(solutions, 1):
         blocks += handout.question(each.exercise, each.settings, number, points)
@@ -392,8 +392,8 @@ def sheet(solutions: Sequence[Solution], edition: Edition = Edition()) -> Illust
             blocks.append(b.Room())
         else:
             blocks.append(b.Subhead("Solution"))
-            blocks += handout.answer(each, parts, told)
-            told = {j.claim.name: () for j in each.judgements} | told
+            blocks += handout.answer(each, parts, places)
+            places = {j.claim.name: () for j in each.judgements} | places
     blocks += handout.looked_up(blocks, parts)
     sides = [x for line in lines.lines.values() for e in line.equations for x in e.sides]
     read = frozenset().union(*(side.free_symbols for side in sides))
@@ -430,8 +430,8 @@ def _write(
         f"{stem}.html": html.write(whole, pages, player=player).encode(),
     }
     if wanted.slides:
-        shown = replace(whole, blocks=tuple(projected(whole.blocks, wanted.solutions)))
-        slides = html.write(shown, pages, slides=True, player=player)
+        document = replace(whole, blocks=tuple(projected(whole.blocks, wanted.solutions)))
+        slides = html.write(document, pages, slides=True, player=player)
         contents["slides.html"] = slides.encode()
     if wanted.fragment:
         contents |= {name: text.encode() for name, text in tex.chapters(whole, paths).items()}

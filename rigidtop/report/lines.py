@@ -41,16 +41,16 @@ def step(lecture: Lecture, id: str, notation: Notation = NOTES) -> dict[str, obj
     }
 
 
-def conditions(known: Known, notation: Notation = NOTES) -> list[str]:
+def conditions(line: Known, notation: Notation = NOTES) -> list[str]:
     """What an equation holds under, and the order of what is left out of it, as text."""
     words = []
-    for condition in known.conditions:
+    for condition in line.conditions:
         if condition.relation in ("large", "small"):
             words.append(f"{text(notation.written(condition.expression))} {condition.relation}")
             continue
         when = " at the start" if condition.relation == "start" else ""
         words.append(text(relation(condition, notation)) + when)
-    order = known.order
+    order = line.order
     if order is not None and order.small != NEGLECTED:
         for x in order.together or (order.small,):
             letter, error = (text(notation.written(each)) for each in (x, x**order.power))

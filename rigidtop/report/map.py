@@ -66,33 +66,33 @@ def columns(whole: Map) -> tuple[list[list[Cell]], list[tuple[Cell, Cell]]]:
     for name, on in whole.items():
         if not on:
             depth[name] = min((depth[other] for other in uses[name]), default=1) - 1
-    made: list[list[Cell]] = [[] for _ in range(max(depth.values(), default=-1) + 1)]
+    lanes: list[list[Cell]] = [[] for _ in range(max(depth.values(), default=-1) + 1)]
     arrows: list[tuple[Cell, Cell]] = []
     for name, at in depth.items():
         for k in range(max((depth[other] for other in uses[name]), default=at + 1) - at):
-            made[at + k].append((name, k))
+            lanes[at + k].append((name, k))
             arrows += [((name, k - 1), (name, k))] * (k > 0)
         arrows += [((name, depth[other] - at - 1), (other, 0)) for other in uses[name]]
-    return made, arrows
+    return lanes, arrows
 
 
 def heights(
-    made: Sequence[Sequence[Cell]], arrows: Sequence[tuple[Cell, Cell]], room: Mapping[Cell, float]
+    lanes: Sequence[Sequence[Cell]], arrows: Sequence[tuple[Cell, Cell]], room: Mapping[Cell, float]
 ) -> dict[Cell, float]:
     """How far down each cell stands: near what it is joined to, `room` around it."""
     near: tuple[dict[Cell, list[Cell]], ...] = ({}, {})
     for start, end in arrows:
         near[0].setdefault(end, []).append(start)
         near[1].setdefault(start, []).append(end)
-    place = {cell: float(k) for column in made for k, cell in enumerate(column)}
+    place = {cell: float(k) for column in lanes for k, cell in enumerate(column)}
 
     def wanted(cell: Cell, *sides: Mapping[Cell, list[Cell]]) -> float:
-        found = [place[each] for side in sides for each in side.get(cell, ())]
-        return sum(found) / len(found) if found else place[cell]
+        neighbours = [place[each] for side in sides for each in side.get(cell, ())]
+        return sum(neighbours) / len(neighbours) if neighbours else place[cell]
 
     for sweep in range(SWEEPS):
         sides = near if sweep >= SORTING else near[sweep % 2 : sweep % 2 + 1]
-        for column in made[:: -1 if sweep % 2 else 1]:
+        for column in lanes[:: -1 if sweep % 2 else 1]:
             aims = {cell: wanted(cell, *sides) for cell in column}
             order = sorted(column, key=(aims if sweep < SORTING else place).__getitem__)
             least = np.cumsum([room[cell] for cell in order])
@@ -143,19 +143,19 @@ def picture(lecture: Lecture, whole: Map, notation: Notation = NOTES, wide: floa
 
     from rigidtop.figures import style
 
-    made, arrows = columns(reduced(whole))
+    lanes, arrows = columns(reduced(whole))
     labels = {name: _broken(label(lecture, name, notation)) for name in whole}
-    at = {cell: k for k, column in enumerate(made) for cell in column}
+    at = {cell: k for k, column in enumerate(lanes) for cell in column}
     room = {cell: 0.8 if cell[1] else 1.6 + labels[cell[0]].count("\n") for cell in at}
-    down = heights(made, arrows, room)
+    down = heights(lanes, arrows, room)
     bottom = max(down[cell] + room[cell] / 2 for cell in down) + EDGE
-    canvas = Figure(figsize=(wide * len(made), LINE * (bottom + EDGE)))
+    canvas = Figure(figsize=(wide * len(lanes), LINE * (bottom + EDGE)))
     axes = canvas.add_axes((0, 0, 1, 1))
     axes.set_axis_off()
-    axes.set_xlim(-0.5, len(made) - 0.5)
+    axes.set_xlim(-0.5, len(lanes) - 0.5)
     axes.set_ylim(bottom, -EDGE)
     half = {cell: _half(labels[cell[0]], wide) for cell in at if not cell[1]}
-    for column in made:  # a lane is as long as the boxes above it and below
+    for column in lanes:  # a lane is as long as the boxes above it and below
         widest = max((half[cell] for cell in column if cell in half), default=0.0)
         half |= {cell: widest for cell in column if cell[1]}
     for start, end in arrows:

@@ -55,9 +55,9 @@ def marked(
         mark = b.MarginMark(claim.name, verdict)
         if lines and verdict is Verdict.FALSE:
             # The lines above are right: the mark is that of the sentence in the notes.
-            said, *behind = _set_right(judgement, there)
-            assert isinstance(said, b.Paragraph)
-            return (replace(said, mark=mark), *behind)
+            remark, *behind = _set_right(judgement, there)
+            assert isinstance(remark, b.Paragraph)
+            return (replace(remark, mark=mark), *behind)
         return (mark, *_set_right(judgement, there))
     return (b.MarginMark(claim.name, verdict, _note(judgement, lines)),)
 
@@ -75,14 +75,14 @@ def _note(judgement: Judgement, lines: Sequence[Equation]) -> b.Rich:
             together.setdefault(item.assumption.words.rstrip("."), []).append(item.assumption)
     letters = {x for each in lines for x in _letters(*each.sides)}
 
-    def told(words: str, assumed: Sequence[Assumption]) -> b.Rich:
+    def clause(words: str, assumed: Sequence[Assumption]) -> b.Rich:
         relations = b.listed((condition(each),) for each in assumed)
         if not words:
             return ("if ", *relations)
         seen = letters.issuperset(_letters(*(each.condition for each in assumed)))
         return ("if ", words, *((" (", *relations, ")") if seen or not lines else ()))
 
-    return b.listed((told(*each) for each in together.items()), "; ")
+    return b.listed((clause(*each) for each in together.items()), "; ")
 
 
 def _letters(*parts: Basic) -> set[Basic]:
@@ -102,11 +102,11 @@ def _related(left: b.Piece, relation: str, right: b.Piece) -> b.Rich:
 def _set_right(judgement: Judgement, there: Collection[Any]) -> Iterator[b.Block]:
     """A statement that is wrong, its numbers, and its corrected form, in a sentence."""
     claim = judgement.claim
-    said = {
+    correction = {
         Verdict.FALSE: "This is false",
         Verdict.CONVENTION: "This is at odds with the notes’ own definitions",
     }[judgement.verdict]
-    words: list[b.Piece] = [SAID, f"{claim.says.rstrip('.')}. ", said]
+    words: list[b.Piece] = [SAID, f"{claim.says.rstrip('.')}. ", correction]
     failed = next((f for f in judgement.findings() if f.counterexample), None)
     if failed is not None and failed.counterexample is not None:
         at, left, right = refuted(failed.counterexample)

@@ -29,23 +29,23 @@ def write(document: b.Document, claims: Claims = ()) -> dict[str, str]:
         if isinstance(block, b.SectionHead) and block.anchor != parts[-1][0]:
             parts.append((block.anchor, []))
         parts[-1][1].append(block)
-    made = {f"myst/{name}.md": _page(blocks) for name, blocks in parts if name != "index"}
+    files = {f"myst/{name}.md": _page(blocks) for name, blocks in parts if name != "index"}
     front = [f"# {markdown.words(document.title)}", markdown.words(document.subtitle)]
     front += [markdown.words(document.byline)] if document.byline else []
     front += [_page(parts[0][1]), markdown.words(document.colophon)]
-    made["myst/index.md"] = "\n\n".join(front) + "\n"
+    files["myst/index.md"] = "\n\n".join(front) + "\n"
     names = [name for name, _ in parts]
     if claims:
         names += ["claims", *(_path(head.anchor) for head, _ in claims)]
-        made["myst/claims.md"] = _list_of(claims)
+        files["myst/claims.md"] = _list_of(claims)
         for head, blocks in claims:
-            stands = any(f"({head.anchor})=" in page for page in made.values())
-            made[f"myst/{_path(head.anchor)}.md"] = _claim(head, blocks, stands)
-    made["myst/myst.yml"] = _project(document, names)
+            stands = any(f"({head.anchor})=" in page for page in files.values())
+            files[f"myst/{_path(head.anchor)}.md"] = _claim(head, blocks, stands)
+    files["myst/myst.yml"] = _project(document, names)
     # The contents for a Jupyter Book before its version 2, and for Sphinx.
     pages = "".join(f"  - file: {name}\n" for name in names[1:])
-    made["myst/_toc.yml"] = f"format: jb-book\nroot: index\nchapters:\n{pages}"
-    return {path: visible(text) for path, text in made.items()}
+    files["myst/_toc.yml"] = f"format: jb-book\nroot: index\nchapters:\n{pages}"
+    return {path: visible(text) for path, text in files.items()}
 
 
 def _project(document: b.Document, names: Sequence[str]) -> str:

@@ -84,19 +84,19 @@ def origin(notation: Notation) -> str:
 
 def front(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
     """A section about the notation and its symbols, of those that are `used`."""
-    made: list[Block] = [SectionHead(1, "", "Notation", "notation")]
-    made.append(Paragraph((origin(notation).removeprefix("Notation: "),)))
-    found = different(notation, used)
+    blocks: list[Block] = [SectionHead(1, "", "Notation", "notation")]
+    blocks.append(Paragraph((origin(notation).removeprefix("Notation: "),)))
+    symbols = different(notation, used)
     if notation.images:
-        made.append(Paragraph((f"{notation.note} {WORDS}".strip(),)))
-    if found:
+        blocks.append(Paragraph((f"{notation.note} {WORDS}".strip(),)))
+    if symbols:
         means = Wording(notation).meaning
         cells = tuple(
-            (means(x.quantity.meaning), layout(x), layout(notation.in_notes(x))) for x in found
+            (means(x.quantity.meaning), layout(x), layout(notation.in_notes(x))) for x in symbols
         )
         head = ("meaning", "here", "in the notes")
-        made.append(TableBlock(head, cells, "Written otherwise", "text", (0.62, 0, 0)))
-    return made
+        blocks.append(TableBlock(head, cells, "Written otherwise", "text", (0.62, 0, 0)))
+    return blocks
 
 
 def remark(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
@@ -105,5 +105,5 @@ def remark(notation: Notation, used: Iterable[Symbol]) -> list[Block]:
         return []
     letters = different(notation, used)
     others = listed((layout(x), " is ", layout(notation.in_notes(x))) for x in letters)
-    told = (" Here ", *others, " of the notes.") if letters else ()
-    return [Paragraph((f"As in {notation.title}; {turns(notation)}.", *told), "Notation")]
+    rest = (" Here ", *others, " of the notes.") if letters else ()
+    return [Paragraph((f"As in {notation.title}; {turns(notation)}.", *rest), "Notation")]

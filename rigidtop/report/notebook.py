@@ -207,14 +207,14 @@ def shown_blocks(thing: Claim | Judgement | Exercise | Solution | StepList) -> l
     if isinstance(thing, StepList):
         return way_blocks(lecture(), thing.name)
     if isinstance(thing, Solution):
-        made = solution_blocks(thing)
+        blocks = solution_blocks(thing)
         left_out: tuple[str, ...] = OWN_WAY[1:]
     else:
-        made = claim_blocks(_judged(thing) if isinstance(thing, Claim) else thing)
+        blocks = claim_blocks(_judged(thing) if isinstance(thing, Claim) else thing)
         left_out = OWN_WAY
     return [
         block
-        for block in made
+        for block in blocks
         if not (isinstance(block, TableBlock) and block.head[-1] == "tolerance")
         and not (isinstance(block, Display) and block.label in left_out)
     ]
@@ -242,10 +242,10 @@ def solution(name: str, **given: float) -> Solution:
     >>> solution("toppling-top", until=2.0).settings["until"]
     2.0
     """
-    known = {exercise.name: exercise for exercise in EXERCISES}
-    if name not in known:
-        raise RigidtopError(f"no exercise {name!r}; there are {', '.join(known)}")
-    exercise = known[name]
+    by_name = {exercise.name: exercise for exercise in EXERCISES}
+    if name not in by_name:
+        raise RigidtopError(f"no exercise {name!r}; there are {', '.join(by_name)}")
+    exercise = by_name[name]
     return solved(exercise, given, lines=lecture_with(texts([exercise], EXERCISES)))
 
 
@@ -269,8 +269,8 @@ class Picture:
 
     def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         data = base64.b64encode(self.png).decode("ascii")
-        shown = {"image/png": data, "text/plain": unmarked(self.words)}
-        return shown, {"image/png": {"width": self.width}}
+        bundle = {"image/png": data, "text/plain": unmarked(self.words)}
+        return bundle, {"image/png": {"width": self.width}}
 
 
 def picture(drawn: Canvas, words: str) -> Picture:
@@ -312,12 +312,12 @@ def plot(words: str, width: float = WIDE, height: float = 2.6, columns: int = 1)
     _display(finished)
 
 
-def _display(shown: Any) -> None:
+def _display(thing: Any) -> None:
     try:
         from IPython.display import display
     except ImportError:
         raise _missing() from None
-    display(shown)  # type: ignore[no-untyped-call]
+    display(thing)  # type: ignore[no-untyped-call]
 
 
 # --- Sliders -------------------------------------------------------------------------------------
@@ -369,7 +369,7 @@ class Sliders:
             )
             for name, (least, start, most) in self.ranges.items()
         }
-        shown = ipywidgets.Image(layout={"max_width": "100%"})
+        image = ipywidgets.Image(layout={"max_width": "100%"})
         says = ipywidgets.Label()
 
         def follow(_: Any = None) -> None:
@@ -378,17 +378,17 @@ class Sliders:
             except RigidtopError as error:  # there is no such motion: say so, keep the last
                 says.value = str(error)
                 return
-            says.value, shown.value, shown.width = "", drawn.png, str(drawn.width)
+            says.value, image.value, image.width = "", drawn.png, str(drawn.width)
 
         for control in controls.values():
             control.observe(follow, "value")
         follow()
-        return ipywidgets.VBox([*controls.values(), says, shown])
+        return ipywidgets.VBox([*controls.values(), says, image])
 
     def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-        shown, beside = self.picture(self.start())._repr_mimebundle_()
+        bundle, beside = self.picture(self.start())._repr_mimebundle_()
         live = self.widget()._repr_mimebundle_()
-        return {**shown, WIDGET: live[WIDGET]}, beside
+        return {**bundle, WIDGET: live[WIDGET]}, beside
 
 
 def sliders(
@@ -414,8 +414,8 @@ def slider_label(name: str) -> str:
     >>> slider_label("omega3"), slider_label("phi_dot"), slider_label("turns")
     ('ω₃ (rad/s)', 'φ̇ (rad/s)', 'turns')
     """
-    known = {symbol.name: quantity for symbol, quantity in VOCABULARY.items()}
-    quantity = known.get(name) or known.get(name.replace("_dot", "dot"))
+    entries = {symbol.name: quantity for symbol, quantity in VOCABULARY.items()}
+    quantity = entries.get(name) or entries.get(name.replace("_dot", "dot"))
     if quantity is None:
         return name
     return text_letter(quantity.glyph) + (f" ({quantity.unit})" if quantity.unit != "1" else "")

@@ -61,13 +61,13 @@ def written(value: float | str, unit: str, *, angles: bool = True, digits: int =
 
 def given(value: float, unit: str) -> b.Rich:
     """A setting in the unit in which it has fewest digits: 30°, but 0.5 rad (28.65°); 180 rpm."""
-    made = [written(value, unit, angles=angles, digits=GIVEN_DIGITS) for angles in (True, False)]
+    columns = [written(value, unit, angles=angles, digits=GIVEN_DIGITS) for angles in (True, False)]
     if unit == "rad/s":
         slow = abs(value) < SMALLEST_ANGLE
         other = math.degrees(value) * DAY if slow else value * 30 / math.pi
-        made.append((shown(other, GIVEN_DIGITS), b.UprightUnit("°/day" if slow else "rpm")))
-    best = min(made, key=_significant)
-    if best is not made[1] or abs(value) < SMALLEST_ANGLE:
+        columns.append((shown(other, GIVEN_DIGITS), b.UprightUnit("°/day" if slow else "rpm")))
+    best = min(columns, key=_significant)
+    if best is not columns[1] or abs(value) < SMALLEST_ANGLE:
         return best
     # The solution has degrees.
     return (*best, " (", *written(value, unit, digits=TABLE_DIGITS), ")")

@@ -82,11 +82,11 @@ def written_at() -> int:
 
     So it is the same file all day.
     """
-    told = os.environ.get("SOURCE_DATE_EPOCH", "")
-    if told and not (told.isascii() and told.isdigit()):
-        raise RigidtopError(f"SOURCE_DATE_EPOCH wants seconds since 1970, not {told!r}")
+    epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
+    if epoch and not (epoch.isascii() and epoch.isdigit()):
+        raise RigidtopError(f"SOURCE_DATE_EPOCH wants seconds since 1970, not {epoch!r}")
     now = time.time()
-    return int(told) if told else int(now - now % DAY)
+    return int(epoch) if epoch else int(now - now % DAY)
 
 
 def _lay_out(folder: Path, figures: Mapping[str, bytes]) -> None:
@@ -120,12 +120,12 @@ def by_latexmk(latexmk: str, source: str, figures: Mapping[str, bytes]) -> bytes
             "openout_any": "p",
         }
         code = _run(command, folder, environment)
-        made = folder / "lecture.pdf"
-        if code or not made.exists():
+        output = folder / "lecture.pdf"
+        if code or not output.exists():
             path = folder / "lecture.log"
             log = path.read_text(encoding="utf-8", errors="replace") if path.exists() else ""
             raise LatexError(f"no PDF: latexmk failed: {_first_error(log)}", log)
-        return made.read_bytes()
+        return output.read_bytes()
 
 
 def _run(command: Sequence[str], folder: Path, environment: Mapping[str, str]) -> int:
@@ -161,10 +161,10 @@ def _first_error(log: str) -> str:
     >>> _first_error("! Undefined control sequence.\nl.3 A \\nonsense\n")
     'Undefined control sequence \\nonsense (line 3 of the .tex)'
     """
-    found = re.search(r"^! (.*)(?:.|\n)*?(?:^l\.(\d+)(.*)|\Z)", log, re.MULTILINE)
-    if found is None:
+    match = re.search(r"^! (.*)(?:.|\n)*?(?:^l\.(\d+)(.*)|\Z)", log, re.MULTILINE)
+    if match is None:
         return "its log names no error" if log else "it left no log"
-    words, line, source = found[1].strip().rstrip("."), found[2], found[3] or ""
+    words, line, source = match[1].strip().rstrip("."), match[2], match[3] or ""
     command = re.findall(r"\\[A-Za-z@]+", source) if words == "Undefined control sequence" else []
     return " ".join([words, *command[-1:], *([f"(line {line} of the .tex)"] if line else [])])
 
@@ -178,10 +178,10 @@ def by_typst(source: str, figures: Mapping[str, bytes]) -> bytes:
         _lay_out(folder, figures)
         (folder / "lecture.typ").write_text(source, encoding="utf-8")
         try:
-            made = typst.compile(
+            pages = typst.compile(
                 str(folder / "lecture.typ"), root=str(folder), ignore_system_fonts=True
             )
         except (RuntimeError, typst.TypstError) as error:
             message = " ".join(str(error).split())
             raise RigidtopError(f"no PDF: typst failed: {message}") from None
-    return bytes(made)
+    return bytes(pages)

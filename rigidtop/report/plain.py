@@ -14,8 +14,8 @@ from rigidtop.typeset.words import unmarked
 
 def fragment(blocks: Sequence[b.Block], width: int = 88) -> str:
     """The blocks of a claim or an exercise in `width` columns."""
-    made = "\n".join(line for block in blocks for line in _lines(block, width))
-    return visible(made.lstrip("\n") + "\n")
+    joined = "\n".join(line for block in blocks for line in _lines(block, width))
+    return visible(joined.lstrip("\n") + "\n")
 
 
 rich = b.Script(words=unmarked, formula=text, unit=str, cited=lambda place: place.words)
@@ -66,8 +66,8 @@ def _table(block: b.TableBlock, width: int) -> list[str]:
         return ["", f"{block.title}:", *_indented(table(values, right=(0,), width=width - 2))]
     # The last column of a table is text: here one without any.
     head = (*map(unmarked, block.head), "")
-    made = table([(*row, "") for row in rows], head, right=block.right, width=width - 2)
-    return ["", *_wrapped(f"{block.title}:", width), *_indented(made)]
+    lines = table([(*row, "") for row in rows], head, right=block.right, width=width - 2)
+    return ["", *_wrapped(f"{block.title}:", width), *_indented(lines)]
 
 
 def _indented(lines: str) -> list[str]:

@@ -42,7 +42,7 @@ def document(
     """
     parts = Parts(lines, notation, {}, {}, recorded=True)
     blocks: list[b.Block] = [*_front(judged)]
-    told: dict[str, b.Rich] = {j.claim.name: () for _, judgements in judged for j in judgements}
+    places: dict[str, b.Rich] = {j.claim.name: () for _, judgements in judged for j in judgements}
     texts = {page.text for page, _ in judged}
     numbered = [*enumerate(solutions, 1)]
     for page, judgements in judged:
@@ -50,9 +50,9 @@ def document(
         for number, solution in numbered:
             if solution.exercise.section == page.section:
                 blocks += question(solution.exercise, solution.settings, number)
-                blocks += answer(solution, parts, told)
+                blocks += answer(solution, parts, places)
                 blocks += [confirmed(solution.measures)] if solution.measures else []
-                told |= {judgement.claim.name: () for judgement in solution.judgements}
+                places |= {judgement.claim.name: () for judgement in solution.judgements}
                 texts |= {solution.text.name} if solution.text is not None else set()
     cited = law_blocks(lines, texts, notation)
     if cited:
@@ -85,8 +85,8 @@ _NOTED = (Verdict.ASSUMING, Verdict.CONVENTION, Verdict.FALSE, Verdict.UNDECIDED
 def _amiss(judgement: Judgement) -> tuple[b.Rich, ...]:
     """A row of the list: what the margin of the lecture says of a claim, or what stands behind."""
     mark, *behind = marked(judgement)
-    said = behind[0] if behind else mark
-    content = said.note if isinstance(said, b.MarginMark) else getattr(said, "content", ())
+    remark = behind[0] if behind else mark
+    content = remark.note if isinstance(remark, b.MarginMark) else getattr(remark, "content", ())
     content = content or (judgement.claim.says,)
     name = b.Cited(judgement.claim.name, b.anchor(judgement.claim.name))
     return (judgement.section,), (name,), (judgement.verdict,), content

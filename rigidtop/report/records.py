@@ -105,5 +105,5 @@ def _where(finding: Finding) -> str:
 def _assumption(item: TestedAssumption) -> str:
     relation = text(condition(item.assumption))
     words = item.assumption.words.rstrip(".")
-    said = f"{relation} ({words})" if words else relation
-    return unmarked(f"{said} [stated]" if item.assumption.stated else said)
+    sentence = f"{relation} ({words})" if words else relation
+    return unmarked(f"{sentence} [stated]" if item.assumption.stated else sentence)

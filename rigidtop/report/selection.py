@@ -56,7 +56,7 @@ def projected(blocks: Iterable[Block], solutions: bool = False) -> list[Block]:
     has its words alone.
     """
     left_out = NOT_PROJECTED - {"solutions"} if solutions else NOT_PROJECTED
-    shown: list[Block] = []
+    kept: list[Block] = []
     is_shown = True
     for block in main_thread(block for block in blocks if not isinstance(block, Legend)):
         if isinstance(block, SectionHead) and block.level == 1:
@@ -64,10 +64,10 @@ def projected(blocks: Iterable[Block], solutions: bool = False) -> list[Block]:
         elif isinstance(block, SectionHead):
             is_shown = True
         elif isinstance(block, ExerciseHead) and not solutions:
-            if shown and isinstance(shown[-1], Subhead):  # Exercises
-                shown.pop()
+            if kept and isinstance(kept[-1], Subhead):  # Exercises
+                kept.pop()
             is_shown = False
-        shown += [block] * is_shown
+        kept += [block] * is_shown
     anchors: set[str] = set()
 
     def noted(part: Any, _: str) -> Any:
@@ -77,5 +77,5 @@ def projected(blocks: Iterable[Block], solutions: bool = False) -> list[Block]:
     def leading(part: Any, _: str) -> Any:
         return part.words if isinstance(part, Cited) and part.anchor not in anchors else part
 
-    walked(tuple(shown), noted)
-    return [walked(block, leading) for block in shown]
+    walked(tuple(kept), noted)
+    return [walked(block, leading) for block in kept]

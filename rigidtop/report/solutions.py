@@ -69,10 +69,10 @@ def solved(
     for outcome in outcomes:
         if any(isinstance(x, float) and not math.isfinite(x) for x in _numbers(outcome)):
             raise RigidtopError(f"{exercise.name} has no finite answer for these settings")
-    known = judged or {}
+    done = judged or {}
     lines = lines or Lecture()
     judgements = tuple(
-        known.get(claim.name) or judge(claim, letters=LETTERS, lecture=lines)
+        done.get(claim.name) or judge(claim, letters=LETTERS, lecture=lines)
         for claim in exercise.claims
     )
     text = next((each for each in lines.texts if each.name == exercise.text), None)
@@ -90,14 +90,14 @@ def _numbers(outcome: Outcome) -> list[float | str]:
 
 def blocks(solution: Solution, *, notation: Notation = NOTES) -> list[b.Block]:
     """The blocks of an exercise with its solution."""
-    made = question(solution.exercise, solution.settings, named=not notation.images)
-    made.append(b.Subhead("Solution in symbols"))
-    own = {shown.name for shown in solution.text.shown} if solution.text else set()
+    content = question(solution.exercise, solution.settings, named=not notation.images)
+    content.append(b.Subhead("Solution in symbols"))
+    own = {display.name for display in solution.text.shown} if solution.text else set()
     if solution.text is not None:
-        made.extend(text_blocks(solution.lines, solution.text, notation))
+        content.extend(text_blocks(solution.lines, solution.text, notation))
     for judgement in solution.judgements:
-        made += claim_told(judgement, notation, led=judgement.claim.name not in own)
-    return [*made, *numbers(solution)]
+        content += claim_told(judgement, notation, led=judgement.claim.name not in own)
+    return [*content, *numbers(solution)]
 
 
 def numbers(solution: Solution) -> Iterable[b.Block]:
@@ -128,12 +128,12 @@ def question(
 
     The settings are `named` as in the shell, where that is no other letter than in the formulas.
     """
-    given = tuple(
+    rows = tuple(
         (p.about + f" ({p.name})" * named, shown(values[p.name]), _unit(p.unit, values[p.name]))
         for p in exercise.parameters
     )
-    made = posed(exercise, number)
-    return [*made, b.quantities("Given", given)] if given else made
+    content = posed(exercise, number)
+    return [*content, b.quantities("Given", rows)] if rows else content
 
 
 def posed(exercise: Exercise, number: int = 0, points: str = "") -> list[b.Block]:

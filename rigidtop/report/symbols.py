@@ -36,7 +36,7 @@ def symbol_list(
     for letter in (x for x in letters if known(x)[1] is not None):
         spelled.setdefault(_tokens(latex(letter)), set()).add(letter)
     spelled.pop(("1",), None)  # the unit matrix, which no one means by a number
-    named = {tokens: next(iter(found)) for tokens, found in spelled.items() if len(found) == 1}
+    named = {tokens: next(iter(alike)) for tokens, alike in spelled.items() if len(alike) == 1}
     rows = []
     bases: dict[str, int] = {}
     for symbol in dict.fromkeys(_in_order(blocks, named)):
@@ -45,9 +45,9 @@ def symbol_list(
             at = bases.setdefault(quantity.glyph.base, len(bases))
             row = (layout(symbol), quantity.meaning, in_unit(quantity.unit))
             rows.append(((at, len(quantity.glyph.accent), place, str(symbol)), row))
-    shown = tuple(row for _, row in sorted(rows, key=lambda pair: pair[0]))
+    ordered = tuple(row for _, row in sorted(rows, key=lambda pair: pair[0]))
     head = ("symbol", "meaning", "unit")
-    return (heading, TableBlock(head, shown, "", "symbols", (0, 1, 0))) if shown else ()
+    return (heading, TableBlock(head, ordered, "", "symbols", (0, 1, 0))) if ordered else ()
 
 
 def symbols_used(blocks: Iterable[Block]) -> set[Symbol]:

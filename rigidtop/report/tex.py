@@ -87,7 +87,7 @@ USE = r"""% A chapter for a document of one's own.  In its preamble:
 
 def chapters(document: b.Document, figures: Mapping[str, str]) -> dict[str, str]:
     """Each numbered section as a file to be read into another document, and rigidtop.sty."""
-    made = {"rigidtop.sty": style_file()}
+    files = {"rigidtop.sty": style_file()}
     parts: dict[str, list[Any]] = {}
     name = "marks"  # what they mean comes first
     for block in document.blocks:
@@ -98,10 +98,10 @@ def chapters(document: b.Document, figures: Mapping[str, str]) -> dict[str, str]
     for name, blocks in parts.items():
         head = USE.replace("@NAME@", name).replace("@OUT@", "./")
         text = "\n\n".join(_joined(blocks, figures, measured=True))
-        made[f"chapters/{name}.tex"] = visible(
+        files[f"chapters/{name}.tex"] = visible(
             f"{head}\\begingroup\\rttext\n{text}\n\\par\\endgroup\n"
         )
-    return made
+    return files
 
 
 def _joined(
@@ -119,11 +119,11 @@ def _joined(
     pending = ""
     for k, (block, after) in enumerate(zip(blocks, [*blocks[1:], None], strict=True)):
         pending += "\\rtsolutions\n" * (k == solved)
-        shown = _shown(block, figures)
+        whole = _shown(block, figures)
         if measured and isinstance(block, b.Display):
             narrow = tex_block(replace(block, room=min(block.room, COLUMN)))
-            shown = shown if narrow == shown else rf"\rtbroken{{{shown}}}{{{narrow}}}"
-        words = pending + shown
+            whole = whole if narrow == whole else rf"\rtbroken{{{whole}}}{{{narrow}}}"
+        words = pending + whole
         pending = ""
         if goes_on(block, after):
             pending = words.removesuffix(r"\held") + "\n"
@@ -194,19 +194,19 @@ def _preamble(document: b.Document, noted: bool) -> str:
         "@KEYWORDS@": "; ".join(document.keywords),
     }
     look = document.look
-    made = _style("lecture.tex" if document.lecture else "record.tex")
+    head = _style("lecture.tex" if document.lecture else "record.tex")
     if not document.contents:  # a sheet: what belongs to an exercise stays there
-        made += "\\rtinline\n"
+        head += "\\rtinline\n"
     if document.lecture and not noted:  # nothing stands beside it
-        made = made.replace("textwidth=134mm", "textwidth=146mm").replace("left=25mm", "hcentering")
-    made = made.replace("@PAPER@", f"{look.paper}paper")
-    made = made.replace("@STYLE@", _inside(style_file()))
+        head = head.replace("textwidth=134mm", "textwidth=146mm").replace("left=25mm", "hcentering")
+    head = head.replace("@PAPER@", f"{look.paper}paper")
+    head = head.replace("@STYLE@", _inside(style_file()))
     if look.documentclass:
-        made = made.replace("{article}", f"{{{look.documentclass}}}", 1)
-    made += look.preamble
+        head = head.replace("{article}", f"{{{look.documentclass}}}", 1)
+    head += look.preamble
     for place, words in about.items():
-        made = made.replace(place, as_string(words))
-    return made
+        head = head.replace(place, as_string(words))
+    return head
 
 
 def _shown(block: b.Block, figures: Mapping[str, str]) -> str:
@@ -218,18 +218,18 @@ def _shown(block: b.Block, figures: Mapping[str, str]) -> str:
 
 def fragment(blocks: Sequence[b.Block]) -> str:
     """The equations of one claim, to be pasted; what else there is to say stands in comments."""
-    made: list[str] = []
+    lines: list[str] = []
     for block in blocks:
         if isinstance(block, b.Display):
             first, *rest = block.rows
-            made.append(f"% {block.label}")
+            lines.append(f"% {block.label}")
             if first.follows and first.reason:  # no sentence: it would stand alone
-                made += [f"% {line}" for line in textwrap.wrap(plain.rich(first.spoken), 88)]
+                lines += [f"% {line}" for line in textwrap.wrap(plain.rich(first.spoken), 88)]
                 first = replace(first, reason="")
-            made.append(align([aligned(row, sizes.LINE) for row in (first, *rest)]))
+            lines.append(align([aligned(row, sizes.LINE) for row in (first, *rest)]))
         else:
-            made += [f"% {line}" for line in plain.fragment([block]).splitlines() if line]
-    return visible("\n".join(made) + "\n")
+            lines += [f"% {line}" for line in plain.fragment([block]).splitlines() if line]
+    return visible("\n".join(lines) + "\n")
 
 
 @singledispatch
@@ -334,26 +334,26 @@ MOST_KEPT = 10
 
 
 def _symbols(_: b.TableBlock, rows: Cells) -> str:
-    made = "\n".join(
+    body = "\n".join(
         rf"\rtsymbol{{{symbol}}}{{{meaning}}}{{{unit.removeprefix(THIN)}}}"
         for symbol, meaning, unit in rows
     )
-    return f"\\begin{{rtsymbols}}{made}\\end{{rtsymbols}}"
+    return f"\\begin{{rtsymbols}}{body}\\end{{rtsymbols}}"
 
 
 THIN = r"\,"
 
 
 def _values(block: b.TableBlock, rows: Cells) -> str:
-    made = [rf"\rtquantity{{{what}}}{{{value}{unit}}}" for what, value, unit in rows]
+    lines = [rf"\rtquantity{{{what}}}{{{value}{unit}}}" for what, value, unit in rows]
     # A list is parted, if at all, between at least so many rows, and only where nothing else is.
-    parts = (min(k, len(made) - k) for k in range(len(made)))
-    made = [
+    parts = (min(k, len(lines) - k) for k in range(len(lines)))
+    lines = [
         (r"\nobreak" if least < TOGETHER else r"\penalty500 ") + row
-        for least, row in zip(parts, made, strict=True)
+        for least, row in zip(parts, lines, strict=True)
     ]
     label = rf"\lab{{{prose(block.title)}}}\par\nopagebreak" if block.title else ""
-    return f"{label}\\rtquantities{{{''.join(made)}}}"
+    return f"{label}\\rtquantities{{{''.join(lines)}}}"
 
 
 TOGETHER = 4
@@ -397,8 +397,8 @@ def _stacked(words: str) -> list[str]:
 
 
 def _head(lines: Sequence[str], side: str) -> str:
-    made = r" \\ ".join(map(prose, lines))
-    return rf"\begin{{tabular}}[b]{{@{{}}{side}@{{}}}}{made}\end{{tabular}}" if lines[1:] else made
+    cell = r" \\ ".join(map(prose, lines))
+    return rf"\begin{{tabular}}[b]{{@{{}}{side}@{{}}}}{cell}\end{{tabular}}" if lines[1:] else cell
 
 
 @tex_block.register
@@ -427,16 +427,16 @@ def _(_: b.Room) -> str:
 
 @tex_block.register
 def _(block: b.Results) -> str:
-    made: list[str] = []
+    rows: list[str] = []
     for number, equations, words, verdict in block.rows:
-        shown = r" \\ ".join(aligned_lines(equations, "printed", ROOM))
-        made.append(
+        lines = r" \\ ".join(aligned_lines(equations, "printed", ROOM))
+        rows.append(
             rf"\rtmark{{{verdict}}} & \rtcited{{{b.anchor(number)}}}{{({number})}} & "
-            rf"\rtrows{{{shown}}} & {rich(words)} \\"
+            rf"\rtrows{{{lines}}} & {rich(words)} \\"
         )
     columns = r"@{}r@{\ }l@{\ \ }l@{\quad}>{\raggedright\arraybackslash}p{43mm}@{}"
     begin = rf"\rtonepage{{\begin{{tabular}}{{{columns}}}"
-    return "\n".join([begin, *made, r"\end{tabular}}"])
+    return "\n".join([begin, *rows, r"\end{tabular}}"])
 
 
 ROOM = 62.0

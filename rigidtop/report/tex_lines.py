@@ -133,9 +133,9 @@ def display(rows: Sequence[b.DisplayRow], room: float = sizes.LINE) -> str:
     # Side notes go out from the sentence: inside the display there is no place for them.
     notes = "".join(_note(row.mark) for row in rows)
     together[0][0] = replace(together[0][0], reason=together[0][0].reason + notes)
-    made = "\n".join(_sized(rows, room) for rows in together)
+    body = "\n".join(_sized(rows, room) for rows in together)
     # Behind a side note LaTeX would allow the page to end.
-    return rf"{{\interlinepenalty10000 {made}\par}}" if notes else made
+    return rf"{{\interlinepenalty10000 {body}\par}}" if notes else body
 
 
 def sharing(rows: Sequence[b.DisplayRow], room: float) -> list[list[AlignRow]]:

@@ -147,9 +147,9 @@ class _Transcript:
             return f"<mn>{self.next().text}</mn>"  # of x^12 the 1 alone
         was, self.bold, self.deep = self.bold, bold or self.bold, self.deep + 1
         self.limit()
-        made = self.atom()
+        atom = self.atom()
         self.bold, self.deep = was, self.deep - 1
-        return made
+        return atom
 
     def group(self) -> tuple[Piece, ...]:
         piece = self.next()
@@ -171,28 +171,28 @@ class _Transcript:
             for side, cell in zip(sides, cells, strict=False):
                 # An empty letter in front makes a sign at the beginning one between two sides.
                 begins = "<mi></mi>" if side == "left" else ""
-                made = begins + "".join(self.within(cell).parts())
-                rows += f'<mtd style="text-align:{side};padding:0.2em">{_row(made)}</mtd>'
+                cell_signs = begins + "".join(self.within(cell).parts())
+                rows += f'<mtd style="text-align:{side};padding:0.2em">{_row(cell_signs)}</mtd>'
             rows += "</mtr>"
         return f'<mtable displaystyle="{str(not centred).lower()}">{rows}</mtable>'
 
     def parts(self) -> list[str]:
         """All that is left, atom by atom."""
-        made: list[str] = []
+        pieces: list[str] = []
         while self.at < len(self.items):
             begun = self.items[self.at].text
-            first = not made or _is_sign(made[-1])
+            first = not pieces or _is_sign(pieces[-1])
             part = self.scripted(first)
             if begun in _WORDS or (_name(begun) and not first):
-                made.append(mathml.THIN)
+                pieces.append(mathml.THIN)
             if part:
-                made.append(part)
+                pieces.append(part)
             if _name(begun) and self.peek():
-                made.append(mathml.APPLY)
+                pieces.append(mathml.APPLY)
             if begun in _WORDS or (_name(begun) and self.peek() not in ("", "(", r"\left", "{}")):
-                made.append(mathml.THIN)
+                pieces.append(mathml.THIN)
         # A word has space beside what stands there.
-        return made[made[:1] == [mathml.THIN] : len(made) - (made[-1:] == [mathml.THIN])]
+        return pieces[pieces[:1] == [mathml.THIN] : len(pieces) - (pieces[-1:] == [mathml.THIN])]
 
     # --- Atoms ------------------------------------------------------------------------------------
 
@@ -247,9 +247,9 @@ class _Transcript:
             return self.letter(_LETTERS[text])
         if _name(text):
             return f"<mi>{text[1:]}</mi>"
-        for known, made in self.takes.items():
-            if text in known:
-                return made(self, text)
+        for kind, element in self.takes.items():
+            if text in kind:
+                return element(self, text)
         if text in _SIGNS:
             return _sign(_SIGNS[text], first)
         if text in _BARE:
@@ -303,20 +303,20 @@ class _Transcript:
 
     def formula(self, _: str) -> str:
         """A chemical formula: letters upright, a number behind one below it, charges above."""
-        made = ""
+        row = ""
         for part in _CHEMICAL.finditer(_as_typed(self.group())):
             if part["other"]:
                 raise UnreadError(f"{part['other']} is not known in a chemical formula", 0)
             if part["sign"] or part["beside"]:
                 sign, tag = part["sign"], "mo" if part["sign"] else "mtext"
-                made += f"<{tag}>{_ARROWS.get(sign, sign or part['beside'])}</{tag}>"
+                row += f"<{tag}>{_ARROWS.get(sign, sign or part['beside'])}</{tag}>"
                 continue
             below, above = part["below"], (part["above"] or "").replace("-", "−")
             marks = f"<mn>{below}</mn>" * bool(below) + f"<mtext>{above}</mtext>" * bool(above)
             tag = f"m{'sub' * bool(below)}{'sup' * bool(above)}"
             base = f"<mtext>{part['base']}</mtext>"
-            made += f"<{tag}>{base}{marks}</{tag}>" if marks else base
-        return _row(made)
+            row += f"<{tag}>{base}{marks}</{tag}>" if marks else base
+        return _row(row)
 
     def root(self, _: str) -> str:
         if self.peek() != "[":
@@ -373,10 +373,10 @@ class _Transcript:
             depth += {r"\begin": 1, r"\end": -1}.get(self.next().text, 0)
         inside = self.items[begun : self.at - 1]
         self.group()
-        made = self.within(inside).table(centred=name in _CENTRED)
+        table = self.within(inside).table(centred=name in _CENTRED)
         fences = _FENCES.get(name, "  ")
         opens, closes = (f'<mo stretchy="true">{x}</mo>' * (x != " ") for x in fences)
-        return _row(opens + made + closes)
+        return _row(opens + table + closes)
 
     takes: Mapping[frozenset[str], Callable[[_Transcript, str], str]] = {
         _FRACTIONS: fraction,
@@ -407,17 +407,17 @@ def _as_typed(items: Sequence[Piece]) -> str:
 
 def _closings(items: Sequence[Piece]) -> dict[int, int]:
     """Where each bracket is closed that is, by its place; those of \\left and \\right apart."""
-    made: dict[int, int] = {}
+    closings: dict[int, int] = {}
     opened: list[tuple[str, int]] = []
     for k, piece in enumerate(items):
         sign = _SIGNS.get(piece.text, " ")
         if k and items[k - 1].text in (r"\left", r"\right"):
             continue
         if opened and opened[-1][0] + sign in ("()", "[]", "||", "‖‖"):
-            made[opened.pop()[1]] = k
+            closings[opened.pop()[1]] = k
         elif sign in "([|‖":
             opened.append((sign, k))
-    return made
+    return closings
 
 
 def _name(text: str) -> bool:

@@ -34,7 +34,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
     depth = 2 if document.lecture else 3
     contents = f"#text(size: 9.5pt)[#outline(title: [Contents], depth: {depth})]"
     source = f"#text(size: 9pt, fill: muted)[{prose(document.colophon)}]"
-    made = "\n".join(
+    document_text = "\n".join(
         [
             _preamble(document),
             f'#text(size: 17pt, weight: "bold")[{prose(document.title)}]',
@@ -44,7 +44,7 @@ def write(document: b.Document, figures: Mapping[str, str]) -> str:
             "",
         ]
     )
-    return visible(made)
+    return visible(document_text)
 
 
 def _joined(blocks: Sequence[b.Block], figures: Mapping[str, str]) -> Iterator[str]:
@@ -59,11 +59,11 @@ def _joined(blocks: Sequence[b.Block], figures: Mapping[str, str]) -> Iterator[s
             words = _said(block)
             continue
         if isinstance(block, b.Figure):
-            made = _figure(block, figures[block.name], floats=not isinstance(above, b.SectionHead))
+            part = _figure(block, figures[block.name], floats=not isinstance(above, b.SectionHead))
         else:
-            made = _display(block, words) if isinstance(block, b.Display) else typst_block(block)
+            part = _display(block, words) if isinstance(block, b.Display) else typst_block(block)
         # The place where a figure is told, at the end of the words above it.
-        yield made + (f'#told("{after.anchor}")' if isinstance(after, b.Figure) else "")
+        yield part + (f'#told("{after.anchor}")' if isinstance(after, b.Figure) else "")
         words, above = "", block
     yield ends
 
@@ -78,17 +78,17 @@ def _preamble(document: b.Document) -> str:
     about["@DATE@"] = time.strftime("year: %Y, month: %m, day: %d", time.gmtime(written_at()))
     about["@PAPER@"] = {"a4": "a4", "letter": "us-letter"}[document.look.paper]
     about["@RIGHT@"] = "51mm" if document.lecture else "28mm"
-    made = _style()
+    preamble = _style()
     for place, words in about.items():
-        made = made.replace(place, words)
-    return made
+        preamble = preamble.replace(place, words)
+    return preamble
 
 
 def _style() -> str:
     """The Typst with which every document begins."""
-    made = files("rigidtop.report").joinpath("styles", "document.typ").read_text("utf-8")
+    style = files("rigidtop.report").joinpath("styles", "document.typ").read_text("utf-8")
     colors = (f'"{verdict}": rgb("#{light}")' for verdict, (light, _) in b.COLORS.items())
-    return made.replace("@COLORS@", ", ".join(colors))
+    return style.replace("@COLORS@", ", ".join(colors))
 
 
 def fragment(blocks: Sequence[b.Block]) -> str:
@@ -130,8 +130,8 @@ def prose(text: str) -> str:
 
 def _inline(tex: str) -> str:
     """A formula of a sentence; where it is short no line ends in it."""
-    made = f"${maths(tex)}$"
-    return f"#box({made})" if len(seen(tex)) <= WHOLE_IN_TEXT else made
+    formula = f"${maths(tex)}$"
+    return f"#box({formula})" if len(seen(tex)) <= WHOLE_IN_TEXT else formula
 
 
 WHOLE_IN_TEXT = 16
@@ -144,21 +144,21 @@ def maths(tex: str) -> str:
 
     # What follows a fraction of single letters would be set close to it: 1/nux.
     apart = re.sub(r"(\{(?:\\[A-Za-z]+|\w+)\})(?=[\w\\])", r"\1 ", tex)
-    made = latex_to_typst(f"${apart}$").strip().strip("$").strip()
-    made = re.sub(r"#text\[([^\]]*)\]", lambda m: f'"{_words(m[1])}"', made)
-    made = re.sub(r"_\(([^()]*)\)('+)", r"\2_(\1)", made)  # else the prime goes to the index
-    return re.sub(r'"[^"]*"|(\w+)/ ?(\w+)', _fraction, made)
+    typst = latex_to_typst(f"${apart}$").strip().strip("$").strip()
+    typst = re.sub(r"#text\[([^\]]*)\]", lambda m: f'"{_words(m[1])}"', typst)
+    typst = re.sub(r"_\(([^()]*)\)('+)", r"\2_(\1)", typst)  # else the prime goes to the index
+    return re.sub(r'"[^"]*"|(\w+)/ ?(\w+)', _fraction, typst)
 
 
-def _fraction(found: re.Match[str]) -> str:
+def _fraction(match: re.Match[str]) -> str:
     r"""A plain a/b, which a fraction becomes that has one letter or number above and one below.
 
     >>> maths(r"\tfrac{1}{12}M + \frac{1}{\nu}\,x + \text{rad/s}")
     'inline(1/12) M + frac(1, nu) thin x + "rad/s"'
     """
-    over, under = found.groups()
+    over, under = match.groups()
     if over is None:  # in words
-        return found[0]
+        return match[0]
     whole = over.isdigit() and under.isdigit()
     return f"inline({over}/{under})" if whole else f"frac({over}, {under})"
 
@@ -222,8 +222,8 @@ def _label(words: str) -> str:
 
 @typst_block.register
 def _(block: b.ClaimHead) -> str:
-    shown, says = prose(block.shown), prose(block.says)
-    return f'#claim([{shown}], "{block.anchor}", [{says}], "{block.verdict}")'
+    name, says = prose(block.shown), prose(block.says)
+    return f'#claim([{name}], "{block.anchor}", [{says}], "{block.verdict}")'
 
 
 @typst_block.register
@@ -237,20 +237,20 @@ def _display(block: b.Display, before: str = "") -> str:
     label = _label(block.label)
     if block.step and fits_in_line(rows, block.room):
         (row,) = rows
-        shown = "#h(2em)".join(
+        body = "#h(2em)".join(
             f"#box($display({maths(latex(each, row.order))})$)" for each in abreast(row)
         )
-        return f"#step[{label}{rich(row.spoken)}][{shown}]{_place(row)}"
-    made: list[str] = []
+        return f"#step[{label}{rich(row.spoken)}][{body}]{_place(row)}"
+    pieces: list[str] = []
     for group in b.groups(replace(block, rows=tuple(rows))):
         notes = "".join(_note(row.mark) for row in group)
         words = " ".join(filter(None, [before, label + notes + rich(group[0].spoken)]))
-        made += [f"#held[{words}]"] if words else []
+        pieces += [f"#held[{words}]"] if words else []
         left = iter(group)
         for lines in sharing(group, block.room):
-            made.append(_rows([next(left) for _ in lines], lines, block.room))
+            pieces.append(_rows([next(left) for _ in lines], lines, block.room))
         before = label = ""
-    return "\n".join(made)
+    return "\n".join(pieces)
 
 
 def _rows(rows: Sequence[b.DisplayRow], lines: Sequence[AlignRow], room: float) -> str:
@@ -300,10 +300,10 @@ def _(block: b.TableBlock) -> str:
     widths = block.widths or (0,) * len(block.head)
     columns = ", ".join(f"{width:g}fr" if width else "auto" for width in widths)
     listed = block.kind == "values"
-    made = _table(f"({columns},)", () if listed else [*map(prose, block.head)], rows)
+    body = _table(f"({columns},)", () if listed else [*map(prose, block.head)], rows)
     if block.title:
-        made = f"{_head(block.title) if listed else f'#title[{prose(block.title)}]'}\n{made}"
-    return f"#over[{made}]" if len(block.head) > NARROW else made
+        body = f"{_head(block.title) if listed else f'#title[{prose(block.title)}]'}\n{body}"
+    return f"#over[{body}]" if len(block.head) > NARROW else body
 
 
 NARROW = 5

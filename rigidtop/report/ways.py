@@ -64,14 +64,14 @@ def claim_told(
     marks: bool = True,
 ) -> list[b.Block]:
     """A claim, its head first, with the lines that `led` to it and all that was found."""
-    head, *found = claim_blocks(judgement, marks=marks)
+    head, *content = claim_blocks(judgement, marks=marks)
     way = [
         block
         for item in judgement.items
         if led and isinstance(item, Led)
         for block in way_blocks(item.lecture, item.name, notation, deep)
     ]
-    return [head, *way, *found]
+    return [head, *way, *content]
 
 
 def text_blocks(
@@ -113,9 +113,9 @@ def text_blocks(
         if isinstance(block, Shown):
             if block.line is not None:
                 beside = at.get(block.line.id, ())
-                made = told_rows(lecture, block.line, notation, figures)
+                lines = told_rows(lecture, block.line, notation, figures)
                 marked = [each for each in beside if isinstance(each, b.MarginMark)]
-                rows += [*made[:-1], replace(made[-1], mark=marked[0] if marked else None)]
+                rows += [*lines[:-1], replace(lines[-1], mark=marked[0] if marked else None)]
                 behind = [each for each in beside if not isinstance(each, b.MarginMark)]
                 if behind or cited_figures(block.line.words):
                     close()
@@ -160,19 +160,19 @@ def told_rows(
 
 
 def law_blocks(
-    lecture: Lecture, shown: Collection[str], notation: Notation = NOTES
+    lecture: Lecture, pages: Collection[str], notation: Notation = NOTES
 ) -> list[b.Block]:
-    """The laws and definitions that the `shown` pages cite, as they stand on other pages."""
+    """The laws and definitions that these pages cite, as they stand on other pages."""
     cited = {
         id
         for page in lecture.texts
-        if page.name in shown
+        if page.name in pages
         for line in page.lines
         for id in lecture.cites(line.id)
     } & lecture.laws
     blocks: list[b.Block] = []
     for page in lecture.texts:
-        if page.name in shown or not cited & {line.id for line in page.lines}:
+        if page.name in pages or not cited & {line.id for line in page.lines}:
             continue
         head: list[b.Block] = []
         for block in page.blocks[1:] if _is_title(page) else page.blocks:
@@ -189,10 +189,10 @@ def law_blocks(
 
 def _titled(content: b.Rich) -> str:
     """Running text as the words of a title, its letters marked as in sentences."""
-    made = []
+    title = []
     for piece in content:
-        made.append(f"${latex(piece)}$" if isinstance(piece, Node) else plain.rich((piece,)))
-    return "".join(made)
+        title.append(f"${latex(piece)}$" if isinstance(piece, Node) else plain.rich((piece,)))
+    return "".join(title)
 
 
 _FIGURE = re.compile(r"\[([^\]]+)\]\(#figure-([\w-]+)\)")
@@ -205,18 +205,18 @@ def cited_figures(words: Sequence[b.Piece]) -> list[str]:
 
 def _with_figures(words: str, figures: Mapping[str, b.Figure]) -> b.Rich:
     """Text that cites figures by their numbers; in its own words where they have none."""
-    made: list[Any] = []
+    pieces: list[Any] = []
     end = 0
-    for found in _FIGURE.finditer(words):
-        made.append(words[end : found.start()])
-        figure = figures.get(found[2])
+    for match in _FIGURE.finditer(words):
+        pieces.append(words[end : match.start()])
+        figure = figures.get(match[2])
         if figure is None:
-            made.append(found[1])
+            pieces.append(match[1])
         else:
-            noun = "Figure" if found[1][:1].isupper() else "figure"
-            made.append(b.Cited(f"{noun} {figure.number}", figure.anchor))
-        end = found.end()
-    return tuple(piece for piece in (*made, words[end:]) if piece)
+            noun = "Figure" if match[1][:1].isupper() else "figure"
+            pieces.append(b.Cited(f"{noun} {figure.number}", figure.anchor))
+        end = match.end()
+    return tuple(piece for piece in (*pieces, words[end:]) if piece)
 
 
 def _is_title(text: Text) -> bool:
@@ -253,14 +253,14 @@ def line_rows(
 
 def chained(equations: Sequence[Equation]) -> list[Equation]:
     """Equations as they are printed: a ≈ b, b = c as a ≈ b = c."""
-    made: list[Equation] = []
+    chains: list[Equation] = []
     for each in equations:
-        if made and not made[-1].tag and made[-1].sides[-1] == each.sides[0]:
-            signs = [sign for e in (made[-1], each) for sign in _signs(e)]
-            sides = (*made.pop().sides, *each.sides[1:])
+        if chains and not chains[-1].tag and chains[-1].sides[-1] == each.sides[0]:
+            signs = [sign for e in (chains[-1], each) for sign in _signs(e)]
+            sides = (*chains.pop().sides, *each.sides[1:])
             each = Equation(*sides, relation=" ".join(signs), tag=each.tag)
-        made.append(each)
-    return made
+        chains.append(each)
+    return chains
 
 
 def _signs(equation: Equation) -> list[str]:
@@ -289,30 +289,30 @@ def _without_it(
     if line.move is None:
         return words
     before = lecture.before(line.id)
-    if before not in above or before not in {known.id for known in line.move.cited}:
+    if before not in above or before not in {each.id for each in line.move.cited}:
         return words
     name = called(lecture.lines[before], notation)
     if line.move.unnamed and isinstance(words[0], str):
         words = ("Take ", *name, " and ", words[0][:1].lower() + words[0][1:], *words[1:])
-    made: list[Any] = []
+    pieces: list[Any] = []
     for piece in words:
         parts = _IT.split(piece) if isinstance(piece, str) else [piece]
         for k, part in enumerate(parts):
-            made += [*name, part] if k else [part]
-    return tuple(made)
+            pieces += [*name, part] if k else [part]
+    return tuple(pieces)
 
 
 def _spoken(words: b.Rich, judged: Judged, notation: Notation) -> b.Rich:
     """A sentence, with the condition that its move brings: "where sin θ ≠ 0"."""
     move = judged.line.move
     cited = () if move is None else move.cited
-    old = [c for known in cited for c in known.conditions]
+    old = [c for line_cited in cited for c in line_cited.conditions]
     old += () if move is None else move.where
-    said = ("=", "start", "large", "small")
-    new = [c for c in judged.known.conditions if c not in old and c.relation not in said]
+    kinds = ("=", "start", "large", "small")
+    new = [c for c in judged.known.conditions if c not in old and c.relation not in kinds]
     new = [c for c in new if not (c.relation == "≥" and c.expression.is_nonnegative)]
-    told = {text(piece) for piece in words if isinstance(piece, Node)}
-    new = [c for c in new if text(relation(c, notation)) not in told]
+    formulas = {text(piece) for piece in words if isinstance(piece, Node)}
+    new = [c for c in new if text(relation(c, notation)) not in formulas]
     if not (new and words and isinstance(words[-1], str)):
         return words
     conditions = b.listed(((relation(c, notation),) for c in new), " and ")
@@ -336,18 +336,18 @@ def running(
     axes: Collection[Any] = (),
 ) -> b.Rich:
     """Running text with its mathematics laid out; along `axes` something has its components."""
-    made: list[Any] = []
+    pieces: list[Any] = []
     for piece in words:
         if isinstance(piece, str):
-            made += _with_figures(piece, figures)
+            pieces += _with_figures(piece, figures)
         else:
             unread = getattr(piece, "latex", None)
-            made.append(
+            pieces.append(
                 Wording(notation)(f"${unread}$")
                 if unread
                 else layout((notation.axis if piece in axes else notation.named)(piece), "printed")
             )
-    return tuple(made)
+    return tuple(pieces)
 
 
 _NAMING = re.compile(r"^(?:Along the motion|At the moment),? |^(?:Call|Define) |, define ")
@@ -368,9 +368,9 @@ def called(line: Line, notation: Notation = NOTES) -> b.Rich:
             break
     if isinstance(name, str):
         name = name[:1].lower() + name[1:] if name.startswith(("The ", "A ")) else name
-    made = (name, *rest)
-    last = made[-1]
-    return (*made[:-1], last.rstrip(": \n")) if isinstance(last, str) else made
+    words = (name, *rest)
+    last = words[-1]
+    return (*words[:-1], last.rstrip(": \n")) if isinstance(last, str) else words
 
 
 def gap(judged: Judged, letters: Letters, notation: Notation = NOTES) -> str:
@@ -387,22 +387,22 @@ def reason(judged: Judged, letters: Letters, notation: Notation = NOTES) -> str:
     assert problem is not None
 
     def said(node: Any) -> str:
-        shown = node if isinstance(node, Equation) else tree(node)
+        formula = node if isinstance(node, Equation) else tree(node)
         try:
-            return text(notation.written(shown))
+            return text(notation.written(formula))
         except TypeError:  # what has no layout is told all the same: a page has more lines
-            return str(shown)
+            return str(formula)
 
     why = problem.words(said)
     if line.move is None or line.move.verb == "call" or isinstance(problem, UnitsError):
         return why
-    found = diagnose(line.equations, line.move.cited, letters)
-    if found is None:
+    diagnosis = diagnose(line.equations, line.move.cited, letters)
+    if diagnosis is None:
         return why
-    if found.entailed:
+    if diagnosis.entailed:
         return f"{why}; it follows from what is cited, but not by this move"
-    if not found.at:
+    if not diagnosis.at:
         return why
-    values = ", ".join(f"{said(x)} = {said(value)}" for x, value in found.at.items())
-    sides = f"the left side is {said(found.left)}, the right side {said(found.right)}"
+    values = ", ".join(f"{said(x)} = {said(value)}" for x, value in diagnosis.at.items())
+    sides = f"the left side is {said(diagnosis.left)}, the right side {said(diagnosis.right)}"
     return f"{why}; with what is cited, at {values}, {sides}"

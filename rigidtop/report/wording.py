@@ -97,24 +97,24 @@ class Wording:
             return latex(self.notation.named(_ANGLES[tex]))
         whole = braced(tex)
 
-        def other(found: re.Match[str]) -> str:
-            letter = found["letter"]
+        def other(match: re.Match[str]) -> str:
+            letter = match["letter"]
             if not letter or (turned and letter[0] == "R"):
-                return found[0]
-            before, behind = whole[: found.start()].rstrip(), whole[found.end() :]
+                return match[0]
+            before, behind = whole[: match.start()].rstrip(), whole[match.end() :]
             alone = before[-1:] in ("", *"(=,[") and behind.lstrip()[:1] in ("", *")=,]")
-            shown = self._other(letter, found["primes"], alone)
-            return shown + " " * (behind[:1].isalpha() and bool(_COMMAND.search(shown)))
+            image = self._other(letter, match["primes"], alone)
+            return image + " " * (behind[:1].isalpha() and bool(_COMMAND.search(image)))
 
         return LETTER.sub(other, whole)
 
     def _other(self, old: str, primes: str, alone: bool) -> str:
-        for known, rest in ((old + primes, ""), (old, primes)):
-            image = self._images.get(known)
+        for name, rest in ((old + primes, ""), (old, primes)):
+            image = self._images.get(name)
             if image is not None:
-                shown = latex(image.expression)
+                tex = latex(image.expression)
                 simple = alone or not (image.negative or image.quarters)
-                return (shown if simple else f"({shown})") + rest
+                return (tex if simple else f"({tex})") + rest
         new = _BASE.sub(lambda base: self._bases.get(base[0], base[0]), old, count=1)
         taken = {old, old + primes} & self._notes or {new, new + primes} & self._printed
         return (old if taken else new) + primes
@@ -138,10 +138,10 @@ class Wording:
         """A list of symbols with their meanings in the notation; any other block as it is."""
         if not (isinstance(block, TableBlock) and block.kind == "symbols" and self.notation.images):
             return block
-        rows = ((x, self.meaning(str(said)), unit) for x, said, unit in block.rows)
+        rows = ((x, self.meaning(str(meaning)), unit) for x, meaning, unit in block.rows)
         return replace(block, rows=tuple(rows))
 
-    def meaning(self, said: str) -> str:
+    def meaning(self, words: str) -> str:
         r"""What a symbol of the notation stands for, in its letters.
 
         It is of these that it speaks: of the notation's own angles and axes.  What a table says
@@ -151,7 +151,7 @@ class Wording:
         >>> Wording(named("goldstein")).meaning(r"velocity along $\mathbf e_1'$")
         "velocity along $\\mathbf e_1'$"
         """
-        return self._roles(said) if said in _SAID else said
+        return self._roles(words) if words in _SAID else words
 
     @cached_property
     def _roles(self) -> Wording:

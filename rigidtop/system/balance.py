@@ -129,14 +129,14 @@ class Balance(Directions):
         """The balance by Lagrange's equations for all of L."""
         return self.balanced(self.system.plain, ())
 
-    def balanced(self, given: Expr, parts: Sequence[Part]) -> Balanced:
+    def balanced(self, rest: Expr, parts: Sequence[Part]) -> Balanced:
         """What a Lagrangian gives besides parts; its squares ½ I w² are as theirs.
 
         (∂²L/∂q̇∂q̇) q̈ = ∂L/∂q + Q − what ∂L/∂q̇ changes by without q̈, and of the parts
         Σ ((∂v/∂q̇)ᵀ(m v̇) + (∂ω/∂q̇)ᵀ(Iω̇ + ω × Iω)).
         """
         graph, n = self.graph, len(self.velocities)
-        L = graph.expression(given)
+        L = graph.expression(rest)
         shares = [Recursion(self, part).share() for part in parts if isinstance(part, Tree)]
         rows = [row for part in parts if isinstance(part, (Mass, Body)) for row in self.rows(part)]
         kinetic = [graph.product([HALF, row.inertia, row.rate, row.rate]) for row in rows]
@@ -350,7 +350,7 @@ class Balance(Directions):
         ]
         biases = self.gyration(tensor, omega, [self.rate(w) for w in omega])
         diagonal, lower = ldl(graph, tensor)
-        made = []
+        components = []
         for k, inertia in enumerate(diagonal):
             # The rows of Lᵀ turn ω into what is squared; L⁻¹ turns the torque into what drives it.
             along = [(lower[i][k], i) for i in range(k, 3)]
@@ -358,7 +358,7 @@ class Balance(Directions):
                 graph.total(graph.product([x, column[i]]) for x, i in along) for column in columns
             ]
             rate = graph.total(graph.product([x, omega[i]]) for x, i in along)
-            made.append(MovingComponent(jacobian, rate, inertia, biases[k]))
+            components.append(MovingComponent(jacobian, rate, inertia, biases[k]))
             for i in range(k + 1, 3):
                 biases[i] = graph.difference(biases[i], graph.product([lower[i][k], biases[k]]))
-        return made
+        return components

@@ -71,10 +71,10 @@ class Canonical(Derived):
     def hamilton_equations(self) -> Matrix:
         """q̇ = ∂H/∂p and ṗ = −∂H/∂q + Q + Σ λA (2n×1), the coordinates first."""
         names = self.names
-        made = mechanics.hamilton_equations(self.reduced_hamiltonian, names.q, names.p)
+        equations = mechanics.hamilton_equations(self.reduced_hamiltonian, names.q, names.p)
         acting = Matrix(self.generalised_forces) + self.reactions
         pushed = Matrix([*(0 * acting), *acting]).xreplace(self._velocities)
-        return names.back((made + pushed).applyfunc(sympy.factor_terms))
+        return names.back((equations + pushed).applyfunc(sympy.factor_terms))
 
     def poisson(self, first: Expr, second: Expr) -> Expr:
         """The bracket {f, g} = Σ ∂f/∂q ∂g/∂p − ∂f/∂p ∂g/∂q of quantities of q, q̇ and p.

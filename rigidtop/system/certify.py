@@ -32,21 +32,21 @@ def certify(system: Computed, parameters: Mapping[Expr, object], seed: int = 0) 
     times = rng.uniform(0.0, 1.0, STATES)
     with np.errstate(all="ignore"):
         solved = system.numeric.solved.array(times, *rows, *values)
-        found = {}
+        differences = {}
         if not system.constraints:
-            found["Hamilton"] = _apart(solved, _hamilton(system, times, rows, values))
+            differences["Hamilton"] = _apart(solved, _hamilton(system, times, rows, values))
         if system.parts:
             for name, way in (
                 ("Newton–Euler", Balance.of_parts),
                 ("Lagrange", Balance.of_lagrangian),
             ):
                 other = _on_graph(system, way).array(times, *rows, *values)
-                found[name] = _apart(solved, other)
+                differences[name] = _apart(solved, other)
         if not system.constraints:
-            found["balance of energy"] = _balance(system, times, rows, values)
-    if not found:
+            differences["balance of energy"] = _balance(system, times, rows, values)
+    if not differences:
         raise RigidtopError("there is no other way to a system with constraints and without parts")
-    return found
+    return differences
 
 
 def _apart(one: Any, other: Any) -> float:
@@ -79,18 +79,18 @@ def _hamilton(system: Computed, times: Any, rows: Any, values: Any) -> Any:
         )
         for v in velocity
     ]
-    made = system.numeric.made(turned, "hamilton", arguments=arguments)
-    return made.array(times, *rows[:n], *momenta, *values)
+    function = system.numeric.made(turned, "hamilton", arguments=arguments)
+    return function.array(times, *rows[:n], *momenta, *values)
 
 
 def _on_graph(system: Computed, way: Callable[[Balance], Balanced]) -> Any:
     """q̈ by d'Alembert's principle, or by Lagrange."""
     names = system.names
-    made = somewhere(
+    balance = somewhere(
         (names.t, *names.q, *names.v, *system.multipliers, *system.given),
         lambda graph: way(Balance(system, graph)),
     )
-    program = straight_line(made.graph, made.solution, system.free())
+    program = straight_line(balance.graph, balance.solution, system.free())
     return system.numeric.made(program.results, "other", program.shared)
 
 
@@ -98,8 +98,8 @@ def _balance(system: Computed, times: Any, rows: Any, values: Any) -> float:
     """dE/dt by the accelerations less the power of the forces, relative to the terms of both."""
     names = system.names
     rates = [system.jacobi.diff(x) for x in (*names.q, *names.v)]
-    made = system.numeric.of((*rates, system.jacobi.diff(names.t), system.work_rate))
-    *slopes, explicit, power = made.array(times, *rows, *values)
+    function = system.numeric.of((*rates, system.jacobi.diff(names.t), system.work_rate))
+    *slopes, explicit, power = function.array(times, *rows, *values)
     accelerations = system.numeric.solved.array(times, *rows, *values)
     n = len(names.q)
     terms = [s * r for s, r in zip(slopes, (*rows[n:], *accelerations), strict=True)]

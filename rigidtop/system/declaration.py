@@ -46,11 +46,11 @@ def with_time(names: PlainSymbols, letters: Iterable[Symbol], q: Sequence[Expr])
     return replace(names, t=times.pop()) if times else names
 
 
-def check_signs(velocities: Sequence[Symbol], given: Sequence[Expr] | None) -> None:
-    """A velocity of one sign is refused where that matters to what is `given`, or to a force."""
+def check_signs(velocities: Sequence[Symbol], terms: Sequence[Expr] | None) -> None:
+    """A velocity of one sign is refused where that matters to the `terms`, or to a force."""
     for v in velocities:
         signed = v.is_positive or v.is_negative
-        if signed and (given is None or not all(is_even(each, v) for each in given)):
+        if signed and (terms is None or not all(is_even(each, v) for each in terms)):
             raise RigidtopError(
                 f"{v} is declared to have one sign, and |{v}| is {v} then: "
                 "a velocity has both, declare it real"
@@ -58,10 +58,10 @@ def check_signs(velocities: Sequence[Symbol], given: Sequence[Expr] | None) -> N
 
 
 def check_terms(
-    given: Mapping[str, Sequence[Expr]], q: Sequence[Expr], names: PlainSymbols
+    terms: Mapping[str, Sequence[Expr]], q: Sequence[Expr], names: PlainSymbols
 ) -> None:
     """Nothing but coordinates, velocities, the time and constants stands in what is given."""
-    for what, group in given.items():
+    for what, group in terms.items():
         for each in map(names.plain, group):
             if each.has(*names.a):
                 raise RigidtopError(
@@ -85,19 +85,19 @@ def check_letters(letters: Iterable[Symbol]) -> None:
 
 def check_rules(rules: Mapping[Expr, Expr], names: PlainSymbols) -> None:
     """Each constraint, with itself in plain symbols, is of places, or linear in velocities."""
-    for given, plain in rules.items():
+    for rule, plain in rules.items():
         if not plain.has(*names.q, *names.v):
-            raise RigidtopError(f"the constraint {given} = 0 has no coordinate and no velocity")
+            raise RigidtopError(f"the constraint {rule} = 0 has no coordinate and no velocity")
         if not _is_linear(plain, [v for v in names.v if plain.has(v)]):
-            raise RigidtopError(f"the constraint {given} = 0 is not linear in the velocities")
+            raise RigidtopError(f"the constraint {rule} = 0 is not linear in the velocities")
 
 
-def check_sliding(given: Expr, plain: Expr, names: PlainSymbols) -> None:
+def check_sliding(velocity: Expr, plain: Expr, names: PlainSymbols) -> None:
     """The velocity of a dry friction, with itself in plain symbols, is linear in velocities."""
     moving = [v for v in names.v if plain.has(v)]
     if not moving or not _is_linear(plain, moving):
         raise RigidtopError(
-            f"a DryFriction is of a coordinate, or of a velocity linear in the q̇, not of {given}"
+            f"a DryFriction is of a coordinate, or of a velocity linear in the q̇, not of {velocity}"
         )
 
 

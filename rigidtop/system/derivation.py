@@ -106,21 +106,21 @@ class Derivation:
     def markdown(self) -> str:
         """A page of a collection (`rigidtop new --system`), which reads back line by line."""
         [page] = self.lecture.texts
-        made = []
+        lines = []
         following = (*page.blocks[1:], page.blocks[-1])
         for block, after in zip(page.blocks, following, strict=True):
             if isinstance(block, Heading):
                 if isinstance(after, Shown) and after.name:
-                    made.append(f'<a id="{after.name}"></a>')
-                made.append(f"{'#' * block.level} {block.words}")
+                    lines.append(f'<a id="{after.name}"></a>')
+                lines.append(f"{'#' * block.level} {block.words}")
             elif isinstance(block, Prose):
-                made.append(block.words)
+                lines.append(block.words)
             elif isinstance(block, Shown) and block.line is not None:
                 tag = next((e.tag for e in block.line.equations if e.tag), "")
                 number = rf" \tag{{{tag}}}" if tag else ""
                 sentence = f"{block.line.source} {block.line.sentence}".lstrip()
-                made += [sentence, f"$${block.latex}{number}$$"]
-        return "\n\n".join(made) + "\n"
+                lines += [sentence, f"$${block.latex}{number}$$"]
+        return "\n\n".join(lines) + "\n"
 
     def _repr_html_(self) -> str:
         return self.html()
@@ -235,10 +235,10 @@ class _Writer:
     ) -> Known:
         """Write a line with its sentence; returns what later lines may cite."""
         spoken, at = (*words, ":"), len(self.blocks) + 1
-        made = (equations,) if isinstance(equations, Equation) else tuple(equations)
+        row = (equations,) if isinstance(equations, Equation) else tuple(equations)
         line = Line(
             id=f"line {at}",
-            equations=made,
+            equations=row,
             sentence=_said(spoken),
             words=spoken,
             move=move,
@@ -248,8 +248,8 @@ class _Writer:
             file="the derivation",
             at=at,
         )
-        shown = r",\quad ".join(latex(each) for each in made)
-        self.blocks.append(Shown(shown, at, line, name=self.name))
+        tex = r",\quad ".join(latex(each) for each in row)
+        self.blocks.append(Shown(tex, at, line, name=self.name))
         return Known(line.id, line.equations, line.scope, called=line.called)
 
     def coordinate(self, k: int, law: Known) -> tuple[Known, Known]:
@@ -280,12 +280,12 @@ class _Writer:
         )
         [equation] = law.equations
         right = short(equation.sides[1].xreplace({by_place: slope}))
-        made = self.line(
+        line = self.line(
             ("Substitute it and ", by_place, " into Lagrange's equation for ", x),
             Equation(rate, right, tag=self.tag(str(k + 1))),
             Move("put", (law,), using=(turning, force)),
         )
-        return made, p
+        return line, p
 
     def conserved(self, p: Known, force: Known, law: Known, x: Expr) -> None:
         """The momentum of a cyclic coordinate."""
@@ -310,16 +310,16 @@ class _Writer:
         """A constraint, its rate taken until it has accelerations."""
         count = len(self.system.rules)
         self.heading("The rate of " + _numbered("the constraint", i, count))
-        known, said = rule, f"Differentiate {rule.called} in time"
+        line, words = rule, f"Differentiate {rule.called} in time"
         for last in (False, True) if self.system.holonomic[i] else (True,):
-            rate = short(self.rate(known.equations[0].sides[0]))
-            known = self.line(
-                (said,),
+            rate = short(self.rate(line.equations[0].sides[0]))
+            line = self.line(
+                (words,),
                 Equation(rate, 0, tag=self.tag(f"c{i + 1}") if last else ""),
-                Move("rate", (known,)),
+                Move("rate", (line,)),
             )
-            said = "Differentiate in time"
-        return known
+            words = "Differentiate in time"
+        return line
 
     def solved(self, balanced: Sequence[Known], held: Sequence[Known]) -> list[Known]:
         """The accelerations, of equations that hang together at once; none where that is long."""
@@ -334,24 +334,24 @@ class _Writer:
         values = [*map(names.plain, (*system.accelerations, *system.constraint_forces))]
         if (most := max(value.count_ops() for value in values)) > LONG:
             return self.unsolved(f"the longest of them would have {most} operations")
-        made = []
+        lines = []
         for part in parts:
             equations = [(*balanced, *held)[k] for k in part]
-            which = _listed([f"({known.tag})" for known in equations])
+            which = _listed([f"({line.tag})" for line in equations])
             wanted = [self.own(unknown[k]) for k in part]
-            made.append(
+            lines.append(
                 self.line(
                     (f"Solve {which} for ", *_between(wanted)),
                     [Equation(x, self.own(values[k])) for x, k in zip(wanted, part, strict=True)],
                     Move("solve", tuple(equations), by=tuple(wanted)),
                 )
             )
-        return made
+        return lines
 
     def unsolved(self, why: str) -> list[Known]:
         """Say why equations are not solved on the board."""
-        said = f"They are not solved here: {why}. In numbers `accelerations` has them."
-        self.blocks.append(Prose(said, len(self.blocks) + 1, (said,)))
+        sentence = f"They are not solved here: {why}. In numbers `accelerations` has them."
+        self.blocks.append(Prose(sentence, len(self.blocks) + 1, (sentence,)))
         return []
 
     def energy(self, momenta: Sequence[Known], solved: Sequence[Known]) -> None:
@@ -366,7 +366,7 @@ class _Writer:
         )
         if "energy" not in system.constant or not solved or system.constraints:
             return
-        letters = [e.sides[0] for known in solved for e in known.equations]
+        letters = [e.sides[0] for line in solved for e in line.equations]
         kept = self.line(
             ("Using ", *_between(letters), ", differentiate in time"),
             Equation(Rate(E), 0),
@@ -399,7 +399,7 @@ def _between(letters: Sequence[Expr]) -> list[Any]:
 
 def _more(letters: Sequence[Expr]) -> list[Any]:
     """The same with a comma or "and" before each: ", x, y and z"."""
-    made: list[Expr | str] = []
+    pieces: list[Expr | str] = []
     for k, x in enumerate(letters):
-        made += [" and " if k == len(letters) - 1 else ", ", x]
-    return made
+        pieces += [" and " if k == len(letters) - 1 else ", ", x]
+    return pieces

@@ -127,9 +127,9 @@ class Derived:
         if len(self.forces) != n:
             raise RigidtopError(f"{len(self.forces)} forces for {n} coordinates: give one for each")
         inside = tuple(x for part in self.parts for x in part.expressions)
-        given = {"L": (self.rest, *inside), "rayleigh": (self.rayleigh,), "a force": self.forces}
+        terms = {"L": (self.rest, *inside), "rayleigh": (self.rayleigh,), "a force": self.forces}
         rubbing = {what: (x,) for what, x in self._rubbing.items()}
-        check_terms({**given, **rubbing, "a constraint": self.constraints}, self.q, self.names)
+        check_terms({**terms, **rubbing, "a constraint": self.constraints}, self.q, self.names)
         check_letters(self._letters)
         check_rules(dict(zip(self.constraints, self.rules, strict=True)), self.names)
         if self.friction:
@@ -187,9 +187,9 @@ class Derived:
     @cached_property
     def generalised_forces(self) -> tuple[Expr, ...]:
         """The forces Q − ∂ℱ/∂q̇ (n), in plain symbols."""
-        given = map(self.names.plain, self.forces)
+        forces = map(self.names.plain, self.forces)
         dissipation = self.names.plain(self.rayleigh)
-        return tuple(Q - dissipation.diff(v) for Q, v in zip(given, self.names.v, strict=True))
+        return tuple(Q - dissipation.diff(v) for Q, v in zip(forces, self.names.v, strict=True))
 
     @cached_property
     def conjugate(self) -> tuple[Expr, ...]:
@@ -246,13 +246,13 @@ class Derived:
     def balanced(self) -> Balanced:
         """M, f and what is conserved on a graph, of which no expression is ever written down."""
         names = self.names
-        made = somewhere(
+        balanced = somewhere(
             (names.t, *names.q, *names.v, *self.multipliers, *self.given),
             lambda graph: Balance(self, graph).of_parts(),
         )
         with suppress(SingularError):
-            made.solution  # noqa: B018 - first of all, so that it depends on nothing that is asked
-        return made
+            balanced.solution  # noqa: B018 - first of all, so that it depends on nothing that is asked
+        return balanced
 
     def _by_normal_form(self, form: Callable[[Expr, Sequence[Symbol]], Expr]) -> StraightLine:
         """The program that M and f have in a normal form."""
@@ -469,13 +469,13 @@ class Derived:
         values = dict(zip(self.names.p, self.conjugate, strict=True))
         return self._own(quantity).xreplace(values)
 
-    def varying(self, what: str, given: Given) -> Expr:
+    def varying(self, what: str, value: Given) -> Expr:
         """A quantity that changes, as `quantity`.  Raises RigidtopError for one that can't."""
-        plain, names = self.quantity(expression(what, given)), self.names
+        plain, names = self.quantity(expression(what, value)), self.names
         if plain.free_symbols <= {*self.parameters}:
             there = ", ".join(map(names.spelled, (*names.q, *names.v)))
             raise RigidtopError(
-                f"{what} is {in_one_line(given)}, which no motion changes: "
+                f"{what} is {in_one_line(value)}, which no motion changes: "
                 f"give an expression of {there} or the time"
             )
         return plain

@@ -90,11 +90,11 @@ class Directions:
             graph.total(graph.product([tensor[i][j], omega[j]]) for j in range(3) if j != i)
             for i in range(3)
         ]
-        made = []
+        components = []
         for i in range(3):
             j, k = (i + 1) % 3, (i + 2) % 3
             moments = graph.difference(tensor[k][k], tensor[j][j])
-            made.append(
+            components.append(
                 graph.total(
                     [
                         *(graph.product([tensor[i][m], rates[m]]) for m in range(3)),
@@ -104,4 +104,4 @@ class Directions:
                     ]
                 )
             )
-        return made
+        return components

@@ -91,11 +91,11 @@ def zeros(motion: Flow, value: Callable[[Floats, Floats], Floats], end: float) -
     times, values = _dips(of, *_looks(of, motion.steps))
     before, after = values[:-1], values[1:]
     through = before * after < 0
-    found = _between(of, times[:-1][through], times[1:][through], before[through], after[through])
+    roots = _between(of, times[:-1][through], times[1:][through], before[through], after[through])
     # At a pole the sign changes too.
-    small = np.abs(of(found)) <= np.maximum(np.abs(before), np.abs(after))[through]
+    small = np.abs(of(roots)) <= np.maximum(np.abs(before), np.abs(after))[through]
     hit = (after == 0) & (before != 0)
-    at = np.concatenate([found[small], times[1:][hit]])
+    at = np.concatenate([roots[small], times[1:][hit]])
     earlier = np.concatenate([before[through][small], before[hit]])
     chosen = np.abs(at) <= abs(end)
     at, earlier = at[chosen], earlier[chosen]
@@ -110,12 +110,12 @@ def _looks(of: Callable[[Floats], Floats], steps: Floats) -> tuple[Floats, Float
     for depth in range(DEEPEST, -1, -1):
         at = starts[:, None] + (ends - starts)[:, None] * PLACES
         at[:, -1] = ends
-        found = of(at.ravel()).reshape(at.shape)
-        missed = np.abs(found[:, ::2] @ BETWEEN.T - found[:, 1::2]).max(axis=1, initial=0.0)
-        enough = 0.05 * np.ptp(found, axis=1), 1e-12 * np.abs(found).max(axis=1)
+        samples = of(at.ravel()).reshape(at.shape)
+        missed = np.abs(samples[:, ::2] @ BETWEEN.T - samples[:, 1::2]).max(axis=1, initial=0.0)
+        enough = 0.05 * np.ptp(samples, axis=1), 1e-12 * np.abs(samples).max(axis=1)
         dense = (missed <= np.maximum(*enough)) | (depth == 0)
         times.append(at[dense, 1:].ravel())
-        values.append(found[dense, 1:].ravel())
+        values.append(samples[dense, 1:].ravel())
         starts, ends = starts[~dense], ends[~dense]
         if not len(starts):
             break

@@ -18,7 +18,7 @@ from rigidtop.codegen.numpy import Function
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.attitude import Floats
-from rigidtop.motion.least_squares import Fit, FitModel, solved, told
+from rigidtop.motion.least_squares import Fit, FitModel, reported, solved
 from rigidtop.parameters import in_one_line
 from rigidtop.system.motion import SystemMotion
 from rigidtop.system.names import Given, as_assumed, mapping
@@ -109,9 +109,9 @@ class SystemModel(FitModel[SystemMotion]):
         for x in self.ranges:
             as_assumed(x, number[x])
         rows = (system.parameters, system.names.q, system.names.v)
-        made = SystemMotion(system, *(tuple(number[x] for x in row) for row in rows))
-        made.check()
-        return made
+        motion = SystemMotion(system, *(tuple(number[x] for x in row) for row in rows))
+        motion.check()
+        return motion
 
     @cached_property
     def _values(self) -> Function:
@@ -129,7 +129,7 @@ class SystemModel(FitModel[SystemMotion]):
     def computed(self, parameters: Floats, rows: Any) -> Floats:
         """NaN for parameters with which there is no motion."""
         times, count = self.t[rows], len(self.quantities_measured)
-        made = np.full((len(parameters), len(times), count), np.nan)
+        result = np.full((len(parameters), len(times), count), np.nan)
         for k, each in enumerate(parameters):
             try:
                 motion = self.motion(each)
@@ -137,8 +137,8 @@ class SystemModel(FitModel[SystemMotion]):
             except RigidtopError:
                 continue
             columns = (times, *run.q.T, *run.qdot.T, *motion.parameters)
-            made[k] = self._values.array(*columns).T
-        return made
+            result[k] = self._values.array(*columns).T
+        return result
 
     def slopes(self, parameters: Floats, rows: Any, weights: Floats) -> Floats:
         """The derivatives by the variational equations; zeros where there is no motion."""
@@ -149,12 +149,12 @@ class SystemModel(FitModel[SystemMotion]):
         except RigidtopError:
             return np.zeros((len(times) * len(weights), len(free)))
         columns = (times, *run.q.T, *run.qdot.T, *motion.parameters)
-        found = self._slopes.array(*columns).reshape(len(weights), -1, len(times))
+        derivatives = self._slopes.array(*columns).reshape(len(weights), -1, len(times))
         states = np.concatenate([run.q_by, run.qdot_by], axis=1)
-        made = np.einsum("mit,tik->tmk", found[:, : states.shape[1]], states)
+        slopes = np.einsum("mit,tik->tmk", derivatives[:, : states.shape[1]], states)
         own = [k for k, x in enumerate(free) if x in self.system.parameters]
-        made[:, :, own] += found[:, states.shape[1] :].transpose(2, 0, 1)
-        return np.asarray((made * weights[:, None]).reshape(-1, len(free)))
+        slopes[:, :, own] += derivatives[:, states.shape[1] :].transpose(2, 0, 1)
+        return np.asarray((slopes * weights[:, None]).reshape(-1, len(free)))
 
     def starts(self) -> list[Floats]:
         """The guess, and places of a Latin hypercube: of each range every part is looked at."""
@@ -165,7 +165,7 @@ class SystemModel(FitModel[SystemMotion]):
         return [np.array([x.guess for x in self.ranges.values()]), *np.stack(drawn, axis=-1)]
 
     def telling(self, parameters: Floats) -> Floats:
-        return np.empty(0)  # every error is told, however large
+        return np.empty(0)  # every error is reported, however large
 
     def quantities(self, parameters: Floats) -> dict[str, Floats]:
         spelled = self.system.names.spelled
@@ -180,13 +180,13 @@ class SystemModel(FitModel[SystemMotion]):
         """Says which letters, or which products of powers of them, can be known."""
         letters = [self.system.names.spelled(x) for x in self.ranges]
         moved = [k for k in range(len(letters)) if np.abs(changes[:, k]).max() > SHARE]
-        shown = _listed([letters[k] for k in moved])
+        names = _listed([letters[k] for k in moved])
         if len(moved) == len(changes):
             return (
-                f"{shown} can't be known from this: what was measured does not change with "
+                f"{names} can't be known from this: what was measured does not change with "
                 f"{'it' if len(moved) == 1 else 'them'}; give a number by known = {{…}} or start"
             )
-        told = ""
+        remark = ""
         relative = (changes / norms)[:, moved] / np.where(parameters, parameters, 1.0)[moved]
         powers = _whole(relative[0]) if len(changes) == 1 else []
         if powers:
@@ -194,9 +194,9 @@ class SystemModel(FitModel[SystemMotion]):
                 _product({letters[a]: q, letters[b]: -p})
                 for (a, p), (b, q) in pairwise(zip(moved, powers, strict=True))
             ]
-            told = f": only {_listed(products)} {'is' if len(products) == 1 else 'are'} known"
+            remark = f": only {_listed(products)} {'is' if len(products) == 1 else 'are'} known"
         return (
-            f"{shown} can't all be known from this{told or ': some of them change together'}; "
+            f"{names} can't all be known from this{remark or ': some of them change together'}; "
             "give a number to one of them, by known = {…} or start"
         )
 
@@ -245,7 +245,7 @@ def fitted(
         raise RigidtopError("t must increase from row to row")
     columns = _columns(system, measured, times)
     names = system.names
-    free, given = _ranges(system, parameters, known)
+    free, fixed = _ranges(system, parameters, known)
     states = _by_letter(system, "start", start, (*names.q, *names.v))
     guesses = _guesses(system, times, dict(columns.values()))
     for x in (*names.q, *names.v):
@@ -256,7 +256,7 @@ def fitted(
         elif isinstance(states[x], (tuple, list)):
             free[x] = _range(x.name, states[x])
         else:
-            given[x] = checks.number(x.name, states[x])
+            fixed[x] = checks.number(x.name, states[x])
     if not free:
         raise RigidtopError("what shall be found? parameters = {symbol: value or (low, high)}")
     check_smooth(system, [*free])
@@ -264,14 +264,14 @@ def fitted(
     noise = None if sigma is None else _noise(sigma, measured, len(columns))
     data = {name: column for name, (_, column) in columns.items()}
     quantities = tuple(x for x, _ in columns.values())
-    model = SystemModel(times, system, free, given, quantities, data, noise, places, how)
+    model = SystemModel(times, system, free, fixed, quantities, data, noise, places, how)
     first = model.motion(model.starts()[0])  # where there is none, it is said why
     first.sensitivities(times[:1], [*free], **how)
     with np.errstate(all="ignore"):
-        found, covariance = solved(model)
-        values, covariance = told(model, found, covariance)
-        computed = dict(zip(data, model.computed(found[None], slice(None))[0].T, strict=True))
-    return SystemFit(model.motion(found), values, covariance, times, data, computed)
+        best, covariance = solved(model)
+        values, covariance = reported(model, best, covariance)
+        computed = dict(zip(data, model.computed(best[None], slice(None))[0].T, strict=True))
+    return SystemFit(model.motion(best), values, covariance, times, data, computed)
 
 
 def _columns(system: Computed, measured: Given, times: Floats) -> dict[str, tuple[Expr, Floats]]:
@@ -281,7 +281,7 @@ def _columns(system: Computed, measured: Given, times: Floats) -> dict[str, tupl
             f"what was measured is given as {{quantity: row of {len(times)} numbers}}, "
             f"not {in_one_line(measured)}"
         )
-    made = {}
+    columns = {}
     for key, values in measured.items():
         plain = system.varying("what was measured", key)
         name = system.names.spelled(plain) if isinstance(plain, Symbol) else str(key)
@@ -291,16 +291,16 @@ def _columns(system: Computed, measured: Given, times: Floats) -> dict[str, tupl
                 f"what was measured of {name} must be {len(times)} numbers, as t has them, "
                 f"not of shape {column.shape}"
             )
-        made[name] = (plain, column)
-    system.numeric.of(tuple(x for x, _ in made.values()))  # complains of unknown letters
-    return made
+        columns[name] = (plain, column)
+    system.numeric.of(tuple(x for x, _ in columns.values()))  # complains of unknown letters
+    return columns
 
 
 def _by_letter(
-    system: Computed, what: str, given: Mapping[Expr, object] | None, letters: Sequence[Symbol]
+    system: Computed, what: str, values: Mapping[Expr, object] | None, letters: Sequence[Symbol]
 ) -> dict[Symbol, Any]:
-    made = {}
-    for key, value in mapping(f"{what} is given as {{symbol: value}}", given).items():
+    by_letter = {}
+    for key, value in mapping(f"{what} is given as {{symbol: value}}", values).items():
         try:
             letter = letter_of(system, key)
         except RigidtopError:
@@ -308,8 +308,8 @@ def _by_letter(
         if letter not in letters:
             there = ", ".join(map(system.names.spelled, letters)) or "nothing"
             raise RigidtopError(f"{what} has {in_one_line(key)}: there is {there}")
-        made[letter] = value
-    return made
+        by_letter[letter] = value
+    return by_letter
 
 
 def _ranges(
@@ -327,23 +327,23 @@ def _ranges(
                 f"{x.name} {both}: parameters has what shall be found, known all the others"
             )
     free = {x: _range(x.name, value) for x, value in asked.items()}
-    given = {x: checks.number(x.name, value) for x, value in numbers.items()}
+    fixed = {x: checks.number(x.name, value) for x, value in numbers.items()}
     for x in asked:
         as_assumed(x, free[x].guess)
-    for x, number in given.items():
+    for x, number in fixed.items():
         as_assumed(x, number)
-    return free, given
+    return free, fixed
 
 
-def _range(name: str, given: object) -> Range:
+def _range(name: str, value: object) -> Range:
     """The range that is given as a number, or as a pair of numbers."""
-    if isinstance(given, (tuple, list)):
-        ends = [checks.number(name, x) for x in given]
+    if isinstance(value, (tuple, list)):
+        ends = [checks.number(name, x) for x in value]
         if len(ends) != 2 or ends[0] >= ends[1]:
-            raise RigidtopError(f"the range of {name} is (low, high), not {in_one_line(given)}")
+            raise RigidtopError(f"the range of {name} is (low, high), not {in_one_line(value)}")
         low, high = ends
         return Range(math.sqrt(low * high) if low > 0 else (low + high) / 2, low, high)
-    guess = checks.number(name, given)
+    guess = checks.number(name, value)
     if guess == 0:
         return Range(0.0, -1.0, 1.0)
     ends = sorted([guess / FACTOR, guess * FACTOR])
@@ -362,12 +362,12 @@ def _noise(sigma: Given, measured: Mapping[Expr, ArrayLike], count: int) -> Floa
 def _guesses(system: Computed, times: Floats, data: Mapping[Expr, Floats]) -> dict[Symbol, float]:
     """Coordinates and velocities at t = 0, by a parabola through what was measured near it."""
     names = system.names
-    made: dict[Symbol, float] = {}
+    guesses: dict[Symbol, float] = {}
     near = np.argsort(np.abs(times), kind="stable")[:NEAR]
     for x, v in zip(names.q, names.v, strict=True):
         if x in data and len(near) > 2:
             _, slope, place = np.polyfit(times[near], data[x][near], 2)
-            made |= {x: float(place), v: float(slope)}
+            guesses |= {x: float(place), v: float(slope)}
         if v in data:
-            made[v] = float(data[v][near[0]])
-    return made
+            guesses[v] = float(data[v][near[0]])
+    return guesses

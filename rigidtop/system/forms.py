@@ -43,13 +43,13 @@ def grouped(value: Expr, velocities: Sequence[Symbol]) -> Expr:
     for term in sympy.Add.make_args(reduce_trig(value)):
         rates, rest = term.as_independent(*velocities, as_Add=False)[::-1]
         terms.setdefault(rates, []).append(rest)
-    made = []
+    groups = []
     for rates, coefficients in terms.items():
         total = sympy.Add(*coefficients)
         if total.count_ops() < FACTORED and total.is_polynomial(*total.atoms(sympy.sin, sympy.cos)):
             total = sympy.factor(total)
-        made.append(rates * total)
-    return sympy.factor_terms(sympy.Add(*made))
+        groups.append(rates * total)
+    return sympy.factor_terms(sympy.Add(*groups))
 
 
 def readable(value: Expr) -> Expr:

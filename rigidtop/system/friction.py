@@ -44,10 +44,10 @@ class DryFriction:
     def __post_init__(self) -> None:
         static = self.mu if self.mu_static is None else self.mu_static
         for name, value in {**vars(self), "mu_static": static}.items():
-            made = expression(f"{name} of a DryFriction", value)
-            object.__setattr__(self, name, made)
-            if name != "of" and made.is_number and made.is_negative:
-                raise RigidtopError(f"{name} of a DryFriction is {made}: it can't be negative")
+            number = expression(f"{name} of a DryFriction", value)
+            object.__setattr__(self, name, number)
+            if name != "of" and number.is_number and number.is_negative:
+                raise RigidtopError(f"{name} of a DryFriction is {number}: it can't be negative")
 
     @property
     def expressions(self) -> dict[str, Expr]:

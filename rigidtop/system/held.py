@@ -29,14 +29,14 @@ class Surface:
 
     def onto(self, times: Floats, states: Floats) -> Floats:
         """The nearest states (x, N) of q, q̇ and what follows them; itself where there is none."""
-        n, made = len(self.system.q), states.copy()
+        n, nearer = len(self.system.q), states.copy()
         chosen = np.array(self.system.holonomic, dtype=bool)
         surface = self.system.numeric.surface
         ends = np.cumsum([n * n, len(chosen) * n, len(chosen)])
         for last in (*[False] * STEPS, True):
             with np.errstate(all="ignore"):
-                found = surface.array(times, *made[: 2 * n], *self.parameters)
-            mass, A, speeds, places = np.split(found, ends)
+                numbers = surface.array(times, *nearer[: 2 * n], *self.parameters)
+            mass, A, speeds, places = np.split(numbers, ends)
             mass, A = mass.T.reshape(-1, n, n), A.T.reshape(-1, len(chosen), n)
             A, left = (A, speeds.T) if last else (A[:, chosen], places.T)
             k = A.shape[1]
@@ -48,5 +48,5 @@ class Surface:
                 moved = np.linalg.solve(border, right[..., None])[:, :n, 0].T
             except np.linalg.LinAlgError:
                 return states
-            made[slice(n, 2 * n) if last else slice(n)] += moved
-        return np.where(np.isfinite(made), made, states)
+            nearer[slice(n, 2 * n) if last else slice(n)] += moved
+        return np.where(np.isfinite(nearer), nearer, states)

@@ -88,14 +88,14 @@ def linearise(
     return system.names.back(A), system.names.back(B)
 
 
-def _inputs(system: Derived, given: Given) -> list[Expr]:
+def _inputs(system: Derived, inputs: Given) -> list[Expr]:
     """The letters that are inputs, plain."""
-    known = {x.name: x for x in system.parameters}
+    by_name = {x.name: x for x in system.parameters}
     letters = []
-    if not isinstance(given, (Expr, str, Sequence, MatrixBase)):
-        raise RigidtopError(f"the inputs are letters, such as [F], not {in_one_line(given)}")
-    for each in (given,) if isinstance(given, (Expr, str)) else given:
-        letter = known.get(str(each), each)
+    if not isinstance(inputs, (Expr, str, Sequence, MatrixBase)):
+        raise RigidtopError(f"the inputs are letters, such as [F], not {in_one_line(inputs)}")
+    for each in (inputs,) if isinstance(inputs, (Expr, str)) else inputs:
+        letter = by_name.get(str(each), each)
         if not isinstance(letter, (Symbol, AppliedUndef)) or letter in (*system.q, *system.qdot):
             raise RigidtopError(f"an input is a letter of a force or of L, not {in_one_line(each)}")
         if not any(x.has(letter) for x in system.given):
@@ -112,9 +112,9 @@ def place_of(system: Derived, about: Mapping[Expr, object], others: Sequence[Exp
     names = system.names
     about = mapping("a motion is given as {coordinate: value}", about)
     place = dict.fromkeys(names.v, sympy.S.Zero)
-    known = {str(x): x for x in others}
+    by_name = {str(x): x for x in others}
     for key, value in about.items():
-        symbol = names.find(key) or known.get(str(key))
+        symbol = names.find(key) or by_name.get(str(key))
         symbol = symbol or names.plain(expression("a coordinate", key))
         if symbol not in (*names.q, *names.v, *others):
             raise RigidtopError(f"{in_one_line(key)} is none of the coordinates and velocities")
@@ -162,7 +162,7 @@ def _hold(
 ) -> None:
     """Raises RigidtopError where a constraint, or its rate, does not hold at the place."""
     names = system.names
-    for i, (rule, given) in enumerate(zip(system.rules, system.constraints, strict=True)):
+    for i, (rule, constraint) in enumerate(zip(system.rules, system.constraints, strict=True)):
         wanted = [(speeds[i], names.v)]
         if system.holonomic[i] and not rule.has(*moved):
             wanted.append((left[i], names.q))
@@ -171,7 +171,7 @@ def _hold(
             _is_zero(x) or _is_rounding(x, A[i, :], [place.get(y, sympy.S.Zero) for y in letters])
             for x, letters in wanted
         ):
-            raise RigidtopError(f"the constraint {given} = 0 does not hold there")
+            raise RigidtopError(f"the constraint {constraint} = 0 does not hold there")
 
 
 def _pushes(

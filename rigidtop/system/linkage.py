@@ -49,8 +49,8 @@ class Link:
         object.__setattr__(self, "name", _name("a link", name))
         object.__setattr__(self, "mass", expression("a mass", mass))
         object.__setattr__(self, "centre", checked_place(centre))
-        made = checked_inertia((0, 0, 0) if inertia is None else inertia)
-        object.__setattr__(self, "inertia", made)
+        tensor = checked_inertia((0, 0, 0) if inertia is None else inertia)
+        object.__setattr__(self, "inertia", tensor)
         _stands(f"the link {self.name}", self.expressions)
 
     @property
@@ -101,8 +101,8 @@ class Joint:
     ) -> None:
         name = _name("a joint", name)
         if kind not in KINDS:
-            said = in_one_line(kind)
-            raise RigidtopError(f"the joint {name} is {', '.join(KINDS[:2])} or fixed, not {said}")
+            word = in_one_line(kind)
+            raise RigidtopError(f"the joint {name} is {', '.join(KINDS[:2])} or fixed, not {word}")
         if kind == FIXED:
             axis, motion = (0, 0, 1), 0 if motion is None else motion
         if motion is None:
@@ -173,8 +173,8 @@ class Linkage:
             moved[joint.child] = joint.name
         roots = [link.name for link in self.links if link.name not in moved]
         if len(roots) != 1:
-            said = " and ".join(roots) if roots else "none"
-            raise RigidtopError(f"one link is moved by no joint, the root, and not {said}")
+            listed = " and ".join(roots) if roots else "none"
+            raise RigidtopError(f"one link is moved by no joint, the root, and not {listed}")
         reached = {roots[0], *(joint.child for joint in self.outward)}
         lost = next((link.name for link in self.links if link.name not in reached), None)
         if lost is not None:
@@ -189,13 +189,13 @@ class Linkage:
     @cached_property
     def outward(self) -> tuple[Joint, ...]:
         """The joints from the root outward."""
-        made, ends = [], [self.root.name]
+        ordered, ends = [], [self.root.name]
         while ends:
             end = ends.pop(0)
             behind = [joint for joint in self.joints if joint.parent == end]
-            made += behind
+            ordered += behind
             ends += [joint.child for joint in behind]
-        return tuple(made)
+        return tuple(ordered)
 
     @property
     def q(self) -> tuple[Expr, ...]:
@@ -301,14 +301,14 @@ def _unit(name: str, axis: MatrixBase) -> MatrixBase:
     return (axis / size).as_immutable()
 
 
-def _name(what: str, given: Any) -> str:
-    if not isinstance(given, str) or not given.strip():
-        raise RigidtopError(f"{what} has a name, not {in_one_line(given)}")
-    return given
+def _name(what: str, name: Any) -> str:
+    if not isinstance(name, str) or not name.strip():
+        raise RigidtopError(f"{what} has a name, not {in_one_line(name)}")
+    return name
 
 
-def _stands(what: str, given: Sequence[Expr]) -> None:
+def _stands(what: str, expressions: Sequence[Expr]) -> None:
     """Raises RigidtopError where something changes that belongs to a rigid body."""
-    for x in given:
+    for x in expressions:
         if x.has(AppliedUndef, dynamicsymbols._t):
             raise RigidtopError(f"{what} has {in_one_line(x)}, which changes: it is rigid")

@@ -85,10 +85,10 @@ def lyapunov(
 
     def rates(state: Sequence[float]) -> tuple[float, ...]:
         row = (state[-1] if numeric.timed else 0.0, *state[: 4 * n], *values)
-        made, why = computed(lambda row: numeric.variation.scalar(*row), row)
+        slopes, why = computed(lambda row: numeric.variation.scalar(*row), row)
         if why:
             raise RigidtopError(f"the variational equations can't be computed: {why}")
-        return (*made, 1.0) if numeric.timed else tuple(made)
+        return (*slopes, 1.0) if numeric.timed else tuple(slopes)
 
     def units(state: Floats) -> Floats:
         return np.concatenate([sizes(system, state[: 2 * n]), np.ones(len(state) - 2 * n)])

@@ -33,8 +33,8 @@ def many(system: Computed, parameters: Given, q: Given, qdot: Given) -> SystemMo
     """Motions from many starts at once: see `System.motions`."""
     refuse(system.friction, "motions(…)", "take motion(…) for one start after the other")
     parameters = mapping("parameters are given as {symbol: number}", parameters)
-    given = [*parameters.items(), *row(system, "q", q).items(), *row(system, "qdot", qdot).items()]
-    arrays = [(str(x), checks.numbers(str(x), value)) for x, value in given]
+    items = [*parameters.items(), *row(system, "q", q).items(), *row(system, "qdot", qdot).items()]
+    arrays = [(str(x), checks.numbers(str(x), value)) for x, value in items]
     firsts = (next(value.flat, 1.0) for _, value in arrays)
     numbers(system.parameters, dict(zip(parameters, firsts, strict=False)))  # complains
     shape = checks.common_shape(dict(arrays))
@@ -42,15 +42,15 @@ def many(system: Computed, parameters: Given, q: Given, qdot: Given) -> SystemMo
     count, n = len(parameters), len(system.q)
     ordered = _in_order(system, dict(zip(parameters, flat[:count], strict=True)))
     values = np.reshape(ordered, (len(ordered), flat[-1].size))
-    made = SystemMotions(system, values, np.stack(flat[count:-n]), np.stack(flat[-n:]), shape)
-    made.check()
-    return made
+    motions = SystemMotions(system, values, np.stack(flat[count:-n]), np.stack(flat[-n:]), shape)
+    motions.check()
+    return motions
 
 
 def _in_order(system: Computed, parameters: Mapping[Expr, Floats]) -> list[Floats]:
     """K numbers for each parameter of the system.  Raises RigidtopError as `as_assumed` does."""
-    given = {str(getattr(key, "name", key)): values for key, values in parameters.items()}
-    rows = [given[letter.name] for letter in system.parameters]
+    by_name = {str(getattr(key, "name", key)): values for key, values in parameters.items()}
+    rows = [by_name[letter.name] for letter in system.parameters]
     for letter, values in zip(system.parameters, rows, strict=True):
         for value in _telling(letter, values):
             as_assumed(letter, float(value))
@@ -134,17 +134,17 @@ class SystemMotions(Sequence[SystemMotion]):
         accuracy = self.system.numeric.accuracy(method, rtol, atol)
         together = self._together(accuracy.method)
         size = AT_ONCE if together else 1
-        found = np.empty((len(times), 2 * len(self.q), len(self)))
+        states = np.empty((len(times), 2 * len(self.q), len(self)))
         for first in range(0, len(self), size):
             which = np.arange(first, min(first + size, len(self)))
             if together:
-                found[..., which] = together(which, times, accuracy)
-            for k in which[np.isnan(found[..., which]).any((0, 1))] if together else which:
+                states[..., which] = together(which, times, accuracy)
+            for k in which[np.isnan(states[..., which]).any((0, 1))] if together else which:
                 run = self[int(k)].integrate(times, accuracy.method, rtol, atol)
-                found[..., k] = np.hstack([run.q, run.qdot])
+                states[..., k] = np.hstack([run.q, run.qdot])
             if progress is not None:
                 progress(int(which[-1]) + 1, len(self))
-        both = found.transpose(2, 0, 1).reshape(*self.shape, len(times), 2, len(self.q))
+        both = states.transpose(2, 0, 1).reshape(*self.shape, len(times), 2, len(self.q))
         return np.ascontiguousarray(np.moveaxis(both, -2, 0))
 
     def way(self, method: str | None = None) -> str:
@@ -183,14 +183,14 @@ class SystemMotions(Sequence[SystemMotion]):
     def _rates(self, states: Floats, which: NDArray[np.intp]) -> Floats:
         numeric, n = self.system.numeric, len(self.q)
         time = states[-1] if numeric.timed else np.zeros(len(which))
-        made = numeric.rates.array(time, *states[: 2 * n], *self.parameters[:, which])
-        return np.concatenate([made, np.ones((1, len(which)))]) if numeric.timed else made
+        rates = numeric.rates.array(time, *states[: 2 * n], *self.parameters[:, which])
+        return np.concatenate([rates, np.ones((1, len(which)))]) if numeric.timed else rates
 
     def _allowed(self, states: Floats) -> NDArray[np.bool_]:
-        made = np.ones(states.shape[1], dtype=bool)
+        allowed = np.ones(states.shape[1], dtype=bool)
         for k, sign in self.system.one_sided:
-            made &= sign * states[k] > 0
-        return made
+            allowed &= sign * states[k] > 0
+        return allowed
 
     def _abreast(self, which: NDArray[np.intp], times: Floats, accuracy: Accuracy) -> Floats:
         problems = abreast.InitialValueProblems(
@@ -214,10 +214,10 @@ class SystemMotions(Sequence[SystemMotion]):
 
     def _settled(self, times: Floats, start: Floats, states: Callable[[Floats], Floats]) -> Floats:
         """The q and q̇ at `times`, of either sign; NaN where a finer tolerance is wanted."""
-        found = np.empty((len(times), *start.shape))
+        samples = np.empty((len(times), *start.shape))
         for rows, ordered in sides(times):
-            found[rows] = states(ordered)
-        largest = np.maximum(np.abs(start), np.abs(found).max(axis=0))
+            samples[rows] = states(ordered)
+        largest = np.maximum(np.abs(start), np.abs(samples).max(axis=0))
         grown = sizes(self.system, largest) > TOO_SMALL * sizes(self.system, start)
-        found[..., ~grown.all(axis=0)] = np.nan
-        return found[:, : 2 * len(self.q)]
+        samples[..., ~grown.all(axis=0)] = np.nan
+        return samples[:, : 2 * len(self.q)]

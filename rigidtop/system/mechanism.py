@@ -92,10 +92,10 @@ class Mechanism(Linkage):
         if not isinstance(forces, Mapping):
             return forces
         joints = {joint.name: joint for joint in self.joints}
-        made: dict[Any, Expr] = {}
+        acting: dict[Any, Expr] = {}
         for key, force in forces.items():
             if not isinstance(key, str):
-                made[key] = made.get(key, Integer(0)) + expression("a force", force)
+                acting[key] = acting.get(key, Integer(0)) + expression("a force", force)
                 continue
             if key not in joints:
                 raise RigidtopError(f"a force in {in_one_line(key)}, which is no joint")
@@ -103,5 +103,5 @@ class Mechanism(Linkage):
                 raise RigidtopError(f"the motion of {key} is given: a force there does not matter")
             for x in joints[key].coordinates:
                 share = expression("a force", force) * joints[key].motion.diff(x)
-                made[x] = made.get(x, Integer(0)) + share
-        return made
+                acting[x] = acting.get(x, Integer(0)) + share
+        return acting

@@ -43,12 +43,12 @@ def started(
     """The motion from a start: see `System.motion`."""
     values = numbers(system.parameters, parameters).values()
     places, rates = (
-        tuple(checks.number(x.name, value) for x, value in row(system, what, given).items())
-        for what, given in (("q", q), ("qdot", qdot))
+        tuple(checks.number(x.name, value) for x, value in row(system, what, entries).items())
+        for what, entries in (("q", q), ("qdot", qdot))
     )
-    made = SystemMotion(system, tuple(map(float, values)), places, rates)
-    made.check()
-    return made
+    motion = SystemMotion(system, tuple(map(float, values)), places, rates)
+    motion.check()
+    return motion
 
 
 @dataclass(frozen=True, repr=False)
@@ -100,16 +100,16 @@ class SystemMotion(SystemStart):
 
         def flows(end: float) -> Flow:
             def run(sizes: Sizes) -> Flow:
-                made = self._flow(start, end, accuracy, sizes)
+                flow = self._flow(start, end, accuracy, sizes)
                 if self.system.one_sided:
-                    self.keeps_signs(made.path(made.steps))
-                return made
+                    self.keeps_signs(flow.path(flow.steps))
+                return flow
 
             return at_its_size(run, self._sizes, start, least_size(self.system, accuracy))
 
         with np.errstate(all="ignore"):
             states = on_both_sides(flows, start, times, sample)
-        stops = [float(x) for found in seen.pop(UNTIL, []) for x in found.times]
+        stops = [float(x) for crossings in seen.pop(UNTIL, []) for x in crossings.times]
         last = min((x for x in stops if x > 0), default=math.inf)
         first = max((x for x in stops if x < 0), default=-math.inf)
         kept = (times <= last) & (times >= first)
@@ -118,8 +118,8 @@ class SystemMotion(SystemStart):
             times[kept],
             *self._columns(states[:, kept]),
             crossings={
-                name: self._section(joined_zeros(found).within(first, last))
-                for name, found in seen.items()
+                name: self._section(joined_zeros(crossings).within(first, last))
+                for name, crossings in seen.items()
             },
             ended=next((x for x in (last, first) if math.isfinite(x)), None),
         )
@@ -213,9 +213,9 @@ class SystemMotion(SystemStart):
         refuse(self.system.friction, "derivatives of a motion")
         return sensitivities(self, t, by, Accuracy(method, rtol, atol))
 
-    def _section(self, found: Zeros) -> SystemSection:
-        states = self._kept(found.times, found.states)
-        return SystemSection(self, found.times, *self._columns(states), rising=found.rising)
+    def _section(self, zeros: Zeros) -> SystemSection:
+        states = self._kept(zeros.times, zeros.states)
+        return SystemSection(self, zeros.times, *self._columns(states), rising=zeros.rising)
 
     def _columns(self, states: Floats) -> tuple[Floats, Floats, Floats, Signs]:
         """q, q̇, the work and the slip of states (…, N), a row each."""
@@ -236,24 +236,24 @@ class SystemMotion(SystemStart):
         """The state that keeps the constraints, at a time after the begin."""
         return self._surface.onto(np.array([begin + time]), state[:, None])[:, 0]
 
-    def _watched(self, name: str, given: Given) -> Watched:
+    def _watched(self, name: str, what: Given) -> Watched:
         """A quantity as a function of times (N,) and states (…, N), and the direction."""
         system, n = self.system, len(self.q)
-        given, direction = given if isinstance(given, tuple) and len(given) == 2 else (given, 0)
+        what, direction = what if isinstance(what, tuple) and len(what) == 2 else (what, 0)
         if checks.number(f"the direction of {name}", direction) not in (-1, 0, 1):
             raise RigidtopError(f"the direction of {name} is +1, −1 or 0, not {direction}")
         if name == "until":
-            system.varying(name, given)  # a number there is meant as a time
-        made = system.numeric.of((system.quantity(expression(name, given)),))
+            system.varying(name, what)  # a number there is meant as a time
+        function = system.numeric.of((system.quantity(expression(name, what)),))
 
         def value(times: Floats, states: Floats) -> Floats:
-            found: Floats = made.array(times, *states[: 2 * n], *self.parameters)[0].copy()
-            for k in np.flatnonzero(~np.isfinite(found)):  # the reason is told for one number
+            values: Floats = function.array(times, *states[: 2 * n], *self.parameters)[0].copy()
+            for k in np.flatnonzero(~np.isfinite(values)):  # the reason is told for one number
                 row = (float(times[k]), *states[: 2 * n, k].tolist(), *self.parameters)
-                [found[k], *_], why = computed(lambda row: made.scalar(*row), row)
+                [values[k], *_], why = computed(lambda row: function.scalar(*row), row)
                 if why:
                     raise RigidtopError(f"{name} can't be computed at t = {times[k]:g}: {why}")
-            return found
+            return values
 
         return Watched(value, direction)
 
@@ -280,9 +280,9 @@ class SystemMotion(SystemStart):
     def _slipping(self) -> Slipping:
         return Slipping(self.system, self.parameters)
 
-    def _smooth(self, system: Computed, parameters: tuple[float, ...], *given: Any) -> Flow:
+    def _smooth(self, system: Computed, parameters: tuple[float, ...], *flow_options: Any) -> Flow:
         """The flow of what slides, or sticks."""
-        return replace(self, system=system, parameters=parameters)._flow(*given)
+        return replace(self, system=system, parameters=parameters)._flow(*flow_options)
 
     def _taylor(
         self, start: Floats, unit: Floats, held: Held | None, end: float, rtol: float

@@ -53,10 +53,10 @@ class PlainSymbols:
         back = {x: symbol for symbol, x in self.given.items()}
         # Derivatives first: a function would be found within its own.
         rates = {x: y for x, y in back.items() if isinstance(x, Derivative)}
-        made = expression.xreplace(rates)
-        if made.has(*UNDONE):
-            made = expression.doit().xreplace(rates)
-        return made.xreplace(back)
+        plain = expression.xreplace(rates)
+        if plain.has(*UNDONE):
+            plain = expression.doit().xreplace(rates)
+        return plain.xreplace(back)
 
     def back(self, expression: ExprOrMatrix) -> ExprOrMatrix:
         """An expression in plain symbols, in the given names."""
@@ -100,8 +100,8 @@ def named(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: Iterable[Symbol
         raise RigidtopError("a system needs a coordinate, such as q = [theta]")
     for what, group in (("coordinates", q), ("velocities", qdot or ())):
         if len({*group}) < len(group):
-            shown = ", ".join(map(str, group))
-            raise RigidtopError(f"among the {what}, {shown}, one stands twice")
+            symbols = ", ".join(map(str, group))
+            raise RigidtopError(f"among the {what}, {symbols}, one stands twice")
     if qdot is not None and len(qdot) != len(q):
         raise RigidtopError(
             f"{len(q)} coordinates and {len(qdot)} velocities: there have to be as many of each"
@@ -114,12 +114,12 @@ def named(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: Iterable[Symbol
     return _of_symbols(q, qdot, {x.name for x in taken})
 
 
-def _row(what: str, given: Given) -> tuple[Expr, ...]:
-    if isinstance(given, (str, bytes)) or not isinstance(
-        given, (Sequence, MatrixBase, Expr, sympy.Tuple)
+def _row(what: str, group: Given) -> tuple[Expr, ...]:
+    if isinstance(group, (str, bytes)) or not isinstance(
+        group, (Sequence, MatrixBase, Expr, sympy.Tuple)
     ):
-        raise RigidtopError(f"the {what} must be symbols, such as [x, y], not {in_one_line(given)}")
-    row = (given,) if isinstance(given, Expr) else tuple(given)
+        raise RigidtopError(f"the {what} must be symbols, such as [x, y], not {in_one_line(group)}")
+    row = (group,) if isinstance(group, Expr) else tuple(group)
     for x in row:
         if not (isinstance(x, Expr) and getattr(x, "_diff_wrt", False)):
             raise RigidtopError(
@@ -147,9 +147,9 @@ def _of_symbols(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str])
     p = tuple(_momentum(x, free) for x in q)
     # |x| has no derivative for SymPy where x might be complex.
     real = {x: x if x.is_real else like(x, x.name, real=True) for x in (*q, *qdot)}
-    given = {own: x for x, own in real.items() if own != x}
+    originals = {own: x for x, own in real.items() if own != x}
     return PlainSymbols(
-        tuple(map(real.get, q)), tuple(map(real.get, qdot)), a, p, Symbol("t"), given
+        tuple(map(real.get, q)), tuple(map(real.get, qdot)), a, p, Symbol("t"), originals
     )
 
 
@@ -166,12 +166,12 @@ def _of_functions(q: Sequence[Expr], qdot: Sequence[Expr] | None, taken: set[str
     plain = tuple(free.take(Symbol(f.func.__name__, real=True)) for f in q)
     v, a = (tuple(_dotted(x, free, order) for x in plain) for order in (1, 2))
     p = tuple(_momentum(x, free) for x in plain)
-    given = {
+    originals = {
         **dict(zip(plain, q, strict=True)),
         **dict(zip(v, rates, strict=True)),
         **{x: f.diff(t, 2) for x, f in zip(a, q, strict=True)},
     }
-    return PlainSymbols(plain, v, a, p, t, given)
+    return PlainSymbols(plain, v, a, p, t, originals)
 
 
 @dataclass
@@ -232,47 +232,47 @@ def _momentum(x: Symbol, free: _Free) -> Symbol:
 def multipliers(count: int, taken: Iterable[Symbol]) -> tuple[Symbol, ...]:
     """Symbols λ₁, λ₂, … for the multipliers of constraints, none of them `taken`."""
     free = _Free({x.name for x in taken})
-    made = []
+    symbols = []
     for k in range(count):
         quantity = VocabularyEntry(Glyph("λ", str(k + 1) if count > 1 else ""), "multiplier", "")
-        made.append(free.take(Lettered(f"multiplier{k + 1}", quantity, k, real=True)))
-    return tuple(made)
+        symbols.append(free.take(Lettered(f"multiplier{k + 1}", quantity, k, real=True)))
+    return tuple(symbols)
 
 
-def expression(what: str, given: Given) -> Expr:
+def expression(what: str, value: Given) -> Expr:
     """An expression of SymPy, or a number; of an equation the left side less the right.
 
     Raises RigidtopError.
     """
-    if isinstance(given, Eq):
-        given = given.lhs - given.rhs
+    if isinstance(value, Eq):
+        value = value.lhs - value.rhs
     try:
-        made = sympy.sympify(given, strict=True)
+        symbolic = sympy.sympify(value, strict=True)
     except (sympy.SympifyError, TypeError):
-        made = None
-    if not isinstance(made, Expr) or made.is_Matrix:
-        raise RigidtopError(f"{what} must be an expression of SymPy, not {in_one_line(given)}")
-    if made.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo):
-        raise RigidtopError(f"{what} must be finite, not {in_one_line(given)}")
-    if made.has(sympy.I):
-        raise RigidtopError(f"{what} must be real, not {in_one_line(given)}")
-    return made
+        symbolic = None
+    if not isinstance(symbolic, Expr) or symbolic.is_Matrix:
+        raise RigidtopError(f"{what} must be an expression of SymPy, not {in_one_line(value)}")
+    if symbolic.has(sympy.nan, sympy.zoo, sympy.oo, -sympy.oo):
+        raise RigidtopError(f"{what} must be finite, not {in_one_line(value)}")
+    if symbolic.has(sympy.I):
+        raise RigidtopError(f"{what} must be real, not {in_one_line(value)}")
+    return symbolic
 
 
-def several(given: Given) -> tuple[Any, ...]:
+def several(values: Given) -> tuple[Any, ...]:
     """What is given, one after the other; itself alone where it is one thing, such as a text."""
     try:
-        return (given,) if isinstance(given, (str, bytes)) else tuple(given)
+        return (values,) if isinstance(values, (str, bytes)) else tuple(values)
     except TypeError:
-        return (given,)
+        return (values,)
 
 
-def mapping(said: str, given: Given) -> Mapping[Any, Any]:
+def mapping(complaint: str, value: Given) -> Mapping[Any, Any]:
     """What is given by name or symbol; nothing for None.  Raises RigidtopError for what is not."""
-    given = {} if given is None else given
-    if not isinstance(given, Mapping):
-        raise RigidtopError(f"{said}, not {in_one_line(given)}")
-    return given
+    value = {} if value is None else value
+    if not isinstance(value, Mapping):
+        raise RigidtopError(f"{complaint}, not {in_one_line(value)}")
+    return value
 
 
 def own_functions(expressions: Sequence[Expr]) -> Iterator[Expr]:
@@ -300,35 +300,35 @@ ASSUMED = [
 """What SymPy may have used of a symbol."""
 
 
-def numbers(letters: Sequence[Symbol], given: Given) -> dict[Expr, Expr]:
+def numbers(letters: Sequence[Symbol], parameters: Given) -> dict[Expr, Expr]:
     """A number for each letter, which are given by symbol or by name, as they are written.
 
     Raises RigidtopError for one that is missing, unknown, or not what the symbol is assumed to be.
     """
-    given = mapping("parameters are given as {symbol: number}", given)
-    known = {x.name: x for x in letters}
-    found: dict[str, Expr] = {}
-    for key, value in given.items():
+    parameters = mapping("parameters are given as {symbol: number}", parameters)
+    by_name = {x.name: x for x in letters}
+    values: dict[str, Expr] = {}
+    for key, value in parameters.items():
         name = str(getattr(key, "name", key))
-        if name not in known:
-            there = f"there are {', '.join(known)}" if known else "there are none"
+        if name not in by_name:
+            there = f"there are {', '.join(by_name)}" if by_name else "there are none"
             raise RigidtopError(f"no parameter {in_one_line(key)}: {there}")
         number = checks.number(name, value)
-        as_assumed(known[name], number)
-        found[name] = sympy.Float(repr(number), WRITTEN)
-    missing = [name for name in known if name not in found]
+        as_assumed(by_name[name], number)
+        values[name] = sympy.Float(repr(number), WRITTEN)
+    missing = [name for name in by_name if name not in values]
     if missing:
         raise RigidtopError(f"no number for {', '.join(missing)}: give {{symbol: number}}")
-    return {known[name]: found[name] for name in known}
+    return {by_name[name]: values[name] for name in by_name}
 
 
 def as_assumed(letter: Symbol, number: float) -> None:
     """Raises RigidtopError where a number is not what the symbol is assumed to be."""
     exact = sympy.Rational(repr(number))
-    for wanted, said in ((True, "must be"), (False, "must not be")):
+    for wanted, verb in ((True, "must be"), (False, "must not be")):
         for word in (f"is_{each}" for each in ASSUMED):
             if getattr(letter, word) is wanted is not getattr(exact, word):
-                raise RigidtopError(f"{letter.name} {said} {word[3:]}, not {number:g}")
+                raise RigidtopError(f"{letter.name} {verb} {word[3:]}, not {number:g}")
 
 
 WRITTEN = 60

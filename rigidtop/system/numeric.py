@@ -242,17 +242,17 @@ class Numeric:
 
     def _compiled_variation(self, rtol: float) -> Any:
         heyoka, right, n = taylor.loaded(), self.variation, len(self.system.q)
-        given = [heyoka.par[k] for k in range(5 + len(self.system.parameters))]
+        parameters = [heyoka.par[k] for k in range(5 + len(self.system.parameters))]
         state = heyoka.make_vars(*(f"x{k}" for k in range(4 * n + 1 + self.timed)))
         time = state[-1] if self.timed else heyoka.expression(0.0)
         kinds = [0] * n + [1] * n
-        places = [x * given[k] for x, k in zip(state, kinds, strict=False)]
-        inside = [time, *places, *state[2 * n : 4 * n], *given[4:]]
+        places = [x * parameters[k] for x, k in zip(state, kinds, strict=False)]
+        inside = [time, *places, *state[2 * n : 4 * n], *parameters[4:]]
         rows = on_symbols(heyoka, right, "variation", inside)
-        rows[: 2 * n] = [x * given[2 + k] for x, k in zip(rows, kinds, strict=False)]
+        rows[: 2 * n] = [x * parameters[2 + k] for x, k in zip(rows, kinds, strict=False)]
         rows += [heyoka.expression(1.0)] * self.timed
         occurring = {str(x) for row in rows for x in heyoka.get_params(row)}
-        last = max(k for k, x in enumerate(given) if str(x) in occurring)
+        last = max(k for k, x in enumerate(parameters) if str(x) in occurring)
         system = list(zip(state, rows, strict=True))
         return heyoka.taylor_adaptive(system, [0.0] * len(state), pars=[1.0] * (last + 1), tol=rtol)
 
@@ -267,23 +267,23 @@ class Numeric:
 
     def _compiled_slopes(self, letters: tuple[Symbol, ...], rtol: float) -> Any:
         heyoka, n, k = taylor.loaded(), len(self.system.q), len(letters)
-        given = [heyoka.par[i] for i in range(4 + k + len(self.system.parameters))]
+        parameters = [heyoka.par[i] for i in range(4 + k + len(self.system.parameters))]
         state = heyoka.make_vars(*(f"x{i}" for i in range(2 * n * (1 + k) + self.timed)))
         time = state[-1] if self.timed else heyoka.expression(0.0)
-        of_q, of_v, per_q, per_v = given[:4]
+        of_q, of_v, per_q, per_v = parameters[:4]
         q, v = ([x * of_q for x in state[:n]], [x * of_v for x in state[n : 2 * n]])
-        inside = [time, *q, *v, *given[4 + k :]]
-        made = np.array(on_symbols(heyoka, self.slopes(letters), "slopes", inside))
+        inside = [time, *q, *v, *parameters[4 + k :]]
+        slopes = np.array(on_symbols(heyoka, self.slopes(letters), "slopes", inside))
         S = np.array(state[2 * n : 2 * n * (1 + k)]).reshape(2 * n, k)
-        A, B = np.split(made[n:], [2 * n * n])
+        A, B = np.split(slopes[n:], [2 * n * n])
         A, B = A.reshape(n, 2 * n), B.reshape(n, k)
         A[:, :n] = A[:, :n] * of_q * per_v
-        moved = A @ S + B * given[4 : 4 + k] * per_v
-        rows = [x * per_q for x in v] + [x * per_v for x in made[:n]]
+        moved = A @ S + B * parameters[4 : 4 + k] * per_v
+        rows = [x * per_q for x in v] + [x * per_v for x in slopes[:n]]
         rows += [*(S[n:] * of_v * per_q).flat, *moved.flat]
         rows += [heyoka.expression(1.0)] * self.timed
         occurring = {str(x) for row in rows for x in heyoka.get_params(row)}
-        last = max(i for i, x in enumerate(given) if str(x) in occurring)
+        last = max(i for i, x in enumerate(parameters) if str(x) in occurring)
         system = list(zip(state, rows, strict=True))
         start, pars = [0.0] * len(state), [1.0] * (last + 1)
         # Unrolled, as a motion alone is, so many equations would be compiled for half a minute.
@@ -354,17 +354,17 @@ class Numeric:
         kinds = [0] * n + [1] * n + [2] * self.works
         count = max(kinds) + 1
         own = len(self.system.parameters)
-        given = [heyoka.par[k] for k in range(2 * count + own)]
+        parameters = [heyoka.par[k] for k in range(2 * count + own)]
         state = heyoka.make_vars(*(f"x{k}" for k in range(len(kinds) + self.timed)))
         time = state[-1] if self.timed else heyoka.expression(0.0)
-        places = [x * given[k] for x, k in zip(state, kinds[: 2 * n], strict=False)]
-        right = on_symbols(heyoka, self.rates, "rates", [time, *places, *given[2 * count :]])
-        rows = [rate * given[count + k] for rate, k in zip(right, kinds, strict=True)]
+        places = [x * parameters[k] for x, k in zip(state, kinds[: 2 * n], strict=False)]
+        right = on_symbols(heyoka, self.rates, "rates", [time, *places, *parameters[2 * count :]])
+        rows = [rate * parameters[count + k] for rate, k in zip(right, kinds, strict=True)]
         if self.timed:
             rows.append(heyoka.expression(1.0))
         # Those behind the last that occurs are not counted.
         occurring = {str(x) for row in rows for x in heyoka.get_params(row)}
-        last = max(k for k, x in enumerate(given) if str(x) in occurring)
+        last = max(k for k, x in enumerate(parameters) if str(x) in occurring)
         return list(zip(state, rows, strict=True)), last + 1
 
     def _function(self, results: Sequence[Expr], name: str) -> Function:
@@ -385,8 +385,8 @@ def computed(
 ) -> tuple[tuple[float, ...], str]:
     """The values, and why there are none, if there are none."""
     try:
-        made = tuple(function(at))
-        return made, "" if all(map(math.isfinite, made)) else "it is not finite"
+        values = tuple(function(at))
+        return values, "" if all(map(math.isfinite, values)) else "it is not finite"
     except RigidtopError:
         raise  # no numbers at all
     except (ZeroDivisionError, OverflowError, ValueError) as error:

@@ -99,39 +99,39 @@ Part = Mass | Body | Assembly
 
 def single(parts: Sequence[Part]) -> tuple[Mass | Body, ...]:
     """The masses and bodies of which parts are made."""
-    made: list[Mass | Body] = []
+    bodies: list[Mass | Body] = []
     for part in parts:
-        made += part.bodies if isinstance(part, Assembly) else [part]
-    return tuple(made)
+        bodies += part.bodies if isinstance(part, Assembly) else [part]
+    return tuple(bodies)
 
 
-def checked_attitude(given: Given) -> MatrixBase:
+def checked_attitude(attitude: Given) -> MatrixBase:
     """A rotation (3×3).  Raises RigidtopError for what is none."""
-    if not isinstance(given, MatrixBase) or given.shape != (3, 3):
+    if not isinstance(attitude, MatrixBase) or attitude.shape != (3, 3):
         raise RigidtopError("an attitude is a 3×3 matrix with e₁, e₂, e₃ as its columns")
-    if not _is_orthogonal(given):
+    if not _is_orthogonal(attitude):
         raise RigidtopError("the attitude is no rotation: RᵀR is not 1")
-    return given.as_immutable()
+    return attitude.as_immutable()
 
 
-def checked_inertia(given: Given) -> MatrixBase:
+def checked_inertia(inertia: Given) -> MatrixBase:
     """A tensor of inertia (3×3) from principal moments or from rows."""
-    rows = given.tolist() if isinstance(given, MatrixBase) else several(given)
+    rows = inertia.tolist() if isinstance(inertia, MatrixBase) else several(inertia)
     if len(rows) != 3:
         raise RigidtopError(f"a body has three principal moments, not {len(rows)}")
     if not any(hasattr(row, "__len__") for row in rows):
         return sympy.ImmutableMatrix.diag(*(expression("a moment", x) for x in rows))
     if any(not hasattr(row, "__len__") or len(row) != 3 for row in rows):
         raise RigidtopError("an inertia is three principal moments, or a tensor with 3×3 entries")
-    made = sympy.ImmutableMatrix([[expression("a moment", x) for x in row] for row in rows])
-    if made != made.T:
+    tensor = sympy.ImmutableMatrix([[expression("a moment", x) for x in row] for row in rows])
+    if tensor != tensor.T:
         raise RigidtopError("a tensor of inertia is symmetric: this one is not")
-    return made
+    return tensor
 
 
-def checked_place(given: Given) -> MatrixBase:
+def checked_place(place: Given) -> MatrixBase:
     """The three components of a place; the third is 0 if two are given."""
-    row = several(given)
+    row = several(place)
     if len(row) not in (2, 3):
         raise RigidtopError(f"a place has two or three components, not {len(row)}")
     row = tuple(expression("a component", x) for x in row)

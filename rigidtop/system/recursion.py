@@ -140,12 +140,12 @@ class Recursion:
     def vectors(self) -> Vectors:
         return Vectors(self.along.graph)
 
-    def _column(self, given: MatrixBase) -> Vector:
-        plain = self.along.system.names.plain(given)
+    def _column(self, column: MatrixBase) -> Vector:
+        plain = self.along.system.names.plain(column)
         return [self.along.graph.expression(x) for x in plain]
 
-    def _matrix(self, given: MatrixBase) -> list[Vector]:
-        return [self._column(given.row(k)) for k in range(3)]
+    def _matrix(self, matrix: MatrixBase) -> list[Vector]:
+        return [self._column(matrix.row(k)) for k in range(3)]
 
     @cached_property
     def joints(self) -> tuple[Joint, ...]:
@@ -248,22 +248,22 @@ class Recursion:
     def composites(self) -> dict[str, Composite]:
         """The links with all that hangs on them, the root too, of which the own part rests."""
         none: Vector = [ZERO] * 3
-        made = {**self.links, self.tree.linkage.root.name: Composite(ZERO, none, [none] * 3)}
+        whole = {**self.links, self.tree.linkage.root.name: Composite(ZERO, none, [none] * 3)}
         own = self.vectors
         for joint in reversed(self.joints):
-            hinge, moved, before = self.hinges[joint.child], made[joint.child], made[joint.parent]
+            hinge, moved, before = self.hinges[joint.child], whole[joint.child], whole[joint.parent]
             moment = hinge.inward(moved.moment)
             inertia = before.inertia
             if joint.parent in self.links:
                 turned = self._turned(hinge, moved.inertia)
                 shift = own.steiner(moved.mass, hinge.arm, moment)
                 inertia = [own.plus(*rows) for rows in zip(inertia, turned, shift, strict=True)]
-            made[joint.parent] = Composite(
+            whole[joint.parent] = Composite(
                 own.graph.total([before.mass, moved.mass]),
                 own.plus(before.moment, moment, own.times(moved.mass, hinge.arm)),
                 inertia,
             )
-        return made
+        return whole
 
     def _turned(self, hinge: Hinge, inertia: Sequence[Vector]) -> list[Vector]:
         """The tensor of inertia R I Rᵀ in the axes further in."""
@@ -331,14 +331,14 @@ class Recursion:
         """The place and attitude in space of the centre of each link with mass or inertia."""
         own, linkage = self.vectors, self.tree.linkage
         still = self._matrix(sympy.eye(3))
-        made: dict[str, tuple[Vector, list[Vector]]]
-        made = {linkage.root.name: ([ZERO] * 3, still)}
+        frames: dict[str, tuple[Vector, list[Vector]]]
+        frames = {linkage.root.name: ([ZERO] * 3, still)}
         for joint in self.joints:
-            hinge, (place, rows) = self.hinges[joint.child], made[joint.parent]
-            made[joint.child] = (
+            hinge, (place, rows) = self.hinges[joint.child], frames[joint.parent]
+            frames[joint.child] = (
                 own.plus(place, own.of(rows, hinge.arm)),
                 [hinge.outward(row) for row in rows],
             )
         for link in linkage.massive:
-            place, rows = made[link.name]
+            place, rows = frames[link.name]
             yield own.plus(place, own.of(rows, self._column(link.centre))), rows

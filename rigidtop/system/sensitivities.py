@@ -96,18 +96,18 @@ class Sensitivities(Rows):
         slopes = [plain.diff(x) for x in (*system.names.q, *system.names.v)]
         function = system.numeric.of((*slopes, *own))
         with np.errstate(all="ignore"):
-            found = function.array(self.t, *self.q.T, *self.qdot.T, *self.motion.parameters)
+            slope = function.array(self.t, *self.q.T, *self.qdot.T, *self.motion.parameters)
         states = np.concatenate([self.q_by, self.qdot_by], axis=1)
-        made: Floats = np.einsum("it,tik->tk", found[: 2 * n], states) + found[2 * n :].T
-        return made
+        grad: Floats = np.einsum("it,tik->tk", slope[: 2 * n], states) + slope[2 * n :].T
+        return grad
 
     def columns(self) -> dict[str, Floats]:
         """t, and the derivatives of each coordinate: theta_by_g, and so on."""
-        made = {"t/s": self.t}
+        columns = {"t/s": self.t}
         for i, x in enumerate(self._system.names.q):
             for k, letter in enumerate(self.letters):
-                made[_header(x, letter, self._system)] = self.q_by[:, i, k]
-        return made
+                columns[_header(x, letter, self._system)] = self.q_by[:, i, k]
+        return columns
 
     @property
     def _system(self) -> Computed:
@@ -127,7 +127,7 @@ def sensitivities(motion: SystemStart, t: ArrayLike, by: Given, how: Accuracy) -
             lambda end: variation.flow(end, how),
             variation.start,
             times,
-            lambda found, ordered: variation.kept(ordered, found.path(ordered)),
+            lambda flow, ordered: variation.kept(ordered, flow.path(ordered)),
         )
     n, k = len(motion.q), len(letters)
     by_letters = states[2 * n : 2 * n + 2 * n * k].reshape(2, n, k, len(times))
@@ -162,23 +162,23 @@ class Variation:
         """What changes of each letter are fractions of, shape (k,)."""
         motion = self.motion
         of_states = sizes(motion.system, np.array([*motion.q, *motion.qdot]))
-        known = dict(zip(self._states, of_states.tolist(), strict=True))
+        size_of = dict(zip(self._states, of_states.tolist(), strict=True))
         for x, value in zip(motion.system.parameters, motion.parameters, strict=True):
-            known[x] = abs(value) or 1.0
-        return np.array([known[x] for x in self.letters])
+            size_of[x] = abs(value) or 1.0
+        return np.array([size_of[x] for x in self.letters])
 
     def sizes(self, state: Floats) -> Floats:
         """What absolute tolerances are fractions of."""
         n, count = len(self.motion.q), len(self.start)
         own = sizes(self.motion.system, state[: 2 * n])
-        made = np.concatenate([own, np.ravel(own[:, None] / self.scales), np.ones(1)])
-        return made[:count]
+        scales = np.concatenate([own, np.ravel(own[:, None] / self.scales), np.ones(1)])
+        return scales[:count]
 
     def rates(self, state: Sequence[float]) -> tuple[float, ...]:
         """ẋ.  Raises RigidtopError where it can't be computed."""
         numeric, n, k = self.motion.system.numeric, len(self.motion.q), len(self.letters)
         row = (state[-1] if numeric.timed else 0.0, *state[: 2 * n], *self.motion.parameters)
-        made, why = computed(lambda row: self._slopes(*row), row)
+        rates, why = computed(lambda row: self._slopes(*row), row)
         if why:
             time, *places = row[: 2 * n + 1]
             self.motion.rates_at([*places, *([time] * self.motion.more)])  # says it of these
@@ -187,11 +187,11 @@ class Variation:
                 "derivative there"
             )
         S = np.array(state[2 * n : 2 * n + 2 * n * k]).reshape(2 * n, k)
-        slopes = np.array(made[n:])
+        slopes = np.array(rates[n:])
         A, B = slopes[: 2 * n * n].reshape(n, 2 * n), slopes[2 * n * n :].reshape(n, k)
         moved = np.concatenate([S[n:], A @ S + B]).ravel().tolist()
         more = [1.0] * int(numeric.timed)
-        return (*state[n : 2 * n], *made[:n], *moved, *more)
+        return (*state[n : 2 * n], *rates[:n], *moved, *more)
 
     @cached_property
     def _slopes(self) -> Callable[..., Sequence[float]]:
@@ -207,9 +207,9 @@ class Variation:
 
         def run(sizes: Sizes) -> Flow:
             series = partial(self._taylor, sizes(self.start))
-            made = flow(InitialValueProblem(self.rates, self.start, sizes, series, held), end, how)
-            self.motion.keeps_signs(made.path(made.steps))
-            return made
+            whole = flow(InitialValueProblem(self.rates, self.start, sizes, series, held), end, how)
+            self.motion.keeps_signs(whole.path(whole.steps))
+            return whole
 
         return at_its_size(run, own, self.start, least_size(self.motion.system, how))
 
@@ -238,17 +238,17 @@ class Variation:
 # --- what may be asked for ------------------------------------------------------------------------
 
 
-def letter_of(system: Computed, given: Given) -> Symbol:
+def letter_of(system: Computed, letter: Given) -> Symbol:
     """The parameter, coordinate or velocity that is meant.  Raises RigidtopError for none."""
     names = system.names
     there = (*system.parameters, *names.q, *names.v)
-    if isinstance(given, (str, Expr)):
-        name = str(getattr(given, "name", given))
+    if isinstance(letter, (str, Expr)):
+        name = str(getattr(letter, "name", letter))
         for x in there:
-            if given in (x, names.given.get(x)) or name in (x.name, names.spelled(x)):
+            if letter in (x, names.given.get(x)) or name in (x.name, names.spelled(x)):
                 return x
     raise RigidtopError(
-        f"no derivatives by {in_one_line(given)}: the system has "
+        f"no derivatives by {in_one_line(letter)}: the system has "
         + ", ".join(map(names.spelled, there))
     )
 
@@ -286,8 +286,8 @@ def jumps(system: Computed, moving: set[Symbol]) -> Iterator[Expr]:
         elif isinstance(node, CallNode) and node.function in JUMPS:
             slopes = sides.gradients(node.arguments, order)
             if any(x != ZERO for row in slopes for x in row):
-                [made] = system.lines([(1, k)]).written_out()
-                yield made
+                [expression] = system.lines([(1, k)]).written_out()
+                yield expression
 
 
 def check_free(motion: SystemStart, letters: Sequence[Symbol]) -> None:
@@ -297,8 +297,8 @@ def check_free(motion: SystemStart, letters: Sequence[Symbol]) -> None:
     values = [*sides.rules, *sides.speeds]
     rows = sides.gradients(values, all_letters)
     function = system.numeric.on_graph([x for row in rows for x in row], "ties")
-    found = np.reshape(motion.at_start(function, "a constraint"), (len(values), -1))
-    for rule, row in zip([*system.constraints] * 2, np.abs(found), strict=True):
+    slopes = np.reshape(motion.at_start(function, "a constraint"), (len(values), -1))
+    for rule, row in zip([*system.constraints] * 2, np.abs(slopes), strict=True):
         for x, tie in zip(letters, row[-len(letters) :], strict=True):
             if tie > HOLDS * np.max(row[: -len(letters)]):
                 raise RigidtopError(

@@ -66,24 +66,24 @@ class Slipping:
     def chosen(self, slip: float) -> tuple[Computed, tuple[float, ...]]:
         """What slides or sticks, and its parameters."""
         system = self.system.sliding if slip else self.system.sticking
-        known = dict(zip(self.system.parameters, self.parameters, strict=True))
-        known[self.system.slip] = float(slip)
-        return system, tuple(known[x] for x in system.parameters)
+        values = dict(zip(self.system.parameters, self.parameters, strict=True))
+        values[self.system.slip] = float(slip)
+        return system, tuple(values[x] for x in system.parameters)
 
     def begun(self, time: float, state: Floats, at_rest: bool) -> Floats:
         """The state with what it does from now on: with w = 0, if `at_rest`, or looked at."""
-        at, made = np.array([time]), state.copy()
-        w, size, normal, kinetic, static = self.measured(at, made[:, None])[:, 0]
+        at, moved = np.array([time]), state.copy()
+        w, size, normal, kinetic, static = self.measured(at, moved[:, None])[:, 0]
         check_normal(at, np.array([normal]))
         if static < kinetic:
             raise RigidtopError(f"mu_static is less than mu: μₛN = {static:g}, μN = {kinetic:g}")
         if not at_rest and abs(w) > RESTS * size:
-            made[-1] = np.sign(w)
-            return made
-        made = Surface(*self.chosen(0)).onto(at, made[:, None])[:, 0]
-        needed = -float(self.solved(0, at, made[:, None])[-1, 0])
-        made[-1] = 0 if abs(needed) <= static * (1 + EDGE) else -np.sign(needed)
-        return made
+            moved[-1] = np.sign(w)
+            return moved
+        moved = Surface(*self.chosen(0)).onto(at, moved[:, None])[:, 0]
+        needed = -float(self.solved(0, at, moved[:, None])[-1, 0])
+        moved[-1] = 0 if abs(needed) <= static * (1 + EDGE) else -np.sign(needed)
+        return moved
 
     def flow(self, run: Run, start: Floats, end: float, accuracy: Accuracy, unit: Floats) -> Flow:
         """The flow from t = 0 to `end`, with tolerances that are fractions of `unit`."""

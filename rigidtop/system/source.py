@@ -37,9 +37,9 @@ def source(system: Derived, language: str, name: str) -> str:
         for x, value in zip(letters, results, strict=True)
     )
     used = set().union(*(x.free_symbols for x in (*results, *(e for _, e in program.shared))))
-    given = [x for x in (names.t, *system.parameters) if x in used]
-    time = [x for x in given if x == names.t]
-    made = ClaimOutputs(
+    parameters = [x for x in (names.t, *system.parameters) if x in used]
+    time = [x for x in parameters if x == names.t]
+    claim = ClaimOutputs(
         claim=name,
         says="the accelerations of " + ", ".join(text(x) for x in names.q),
         outputs=outputs,
@@ -47,13 +47,13 @@ def source(system: Derived, language: str, name: str) -> str:
             *time,
             *map(lettered, names.q),
             *own.values(),
-            *(lettered(x) for x in given if x not in time),
+            *(lettered(x) for x in parameters if x not in time),
         ),
         lines=(),
         shared=tuple((x, value.xreplace(own)) for x, value in program.shared),
     )
     try:
-        return languages.source(made, language, text).text
+        return languages.source(claim, language, text).text
     except NotImplementedError as error:
         [what] = re.findall(r"by <class '[^']*'>: (?:<class '[\w.]*\.)?(\w+)", str(error))[:1] or [
             error

@@ -51,8 +51,8 @@ class SystemStart:
         names = self.system.names
         values = {names.spelled(x): a for x, a in zip(names.q, self.q, strict=True)}
         values |= {names.spelled(x): a for x, a in zip(names.v, self.qdot, strict=True)}
-        known = zip(self.system.parameters, self.parameters, strict=True)
-        values |= {x.name: a for x, a in known}
+        pairs = zip(self.system.parameters, self.parameters, strict=True)
+        values |= {x.name: a for x, a in pairs}
         head = "".join(f"<th>{escape(name)}</th>" for name in values)
         row = "".join(f"<td>{a:.6g}</td>" for a in values.values())
         return f"<table><thead><tr>{head}</tr></thead><tbody><tr>{row}</tr></tbody></table>"
@@ -66,20 +66,20 @@ class SystemStart:
 
     def _check_rules(self) -> None:
         """Raises RigidtopError where a constraint, or its rate, does not hold at the start."""
-        found = self.at_start(self.system.numeric.holding, "a constraint")
+        residuals = self.at_start(self.system.numeric.holding, "a constraint")
         names = [f"constraint {rule} = 0" for rule in self.system.constraints]
         names += [f"rate of the {name}" for name in names]
-        for name, value, size in zip(names, found[::2], found[1::2], strict=True):
+        for name, value, size in zip(names, residuals[::2], residuals[1::2], strict=True):
             if abs(value) > HOLDS * max(size, 1e-300):
                 raise RigidtopError(f"the {name} does not hold at the start: it is {value:.6g}")
 
     def at_start(self, function: Function, what: str) -> tuple[float, ...]:
         """The values of a function at the start; one that has none is told in one line."""
         row = (0.0, *self.q, *self.qdot, *self.parameters)
-        found, why = computed(lambda row: function.scalar(*row), row)
+        values, why = computed(lambda row: function.scalar(*row), row)
         if why:
             raise RigidtopError(f"{what} can't be computed at the start: {why}")
-        return found
+        return values
 
     @property
     def more(self) -> int:
@@ -92,12 +92,12 @@ class SystemStart:
         numeric = self.system.numeric
         n = len(self.q)
         time = state[-1] if numeric.timed else 0.0
-        made = numeric.rates.scalar(time, *state[: 2 * n], *self.parameters)
-        return (*made, 1.0) if numeric.timed else tuple(made)
+        rates = numeric.rates.scalar(time, *state[: 2 * n], *self.parameters)
+        return (*rates, 1.0) if numeric.timed else tuple(rates)
 
     def rates_at(self, state: Sequence[float]) -> tuple[float, ...]:
         """The same, what can't be computed in one line."""
-        made, why = computed(self._rates, state)
+        rates, why = computed(self._rates, state)
         if why:
             n = len(self.q)
             place = ", ".join(
@@ -108,7 +108,7 @@ class SystemStart:
                 f"the accelerations can't be computed at {place}: {why}; the mass matrix or a "
                 "force is singular there"
             )
-        return tuple(made)
+        return tuple(rates)
 
     def keeps_signs(self, states: Floats) -> None:
         """Raises RigidtopError where a coordinate has left the side on which it was declared."""
@@ -121,28 +121,28 @@ class SystemStart:
                 )
 
 
-def row(system: Computed, what: str, given: Given) -> dict[Symbol, Any]:
+def row(system: Computed, what: str, numbers: Given) -> dict[Symbol, Any]:
     """What is given for each coordinate ("q") or velocity ("qdot"), in their order."""
     letters = system.names.q if what == "q" else system.names.v
-    shown = ", ".join(map(system.names.spelled, letters))
-    if given is None and what == "q":
-        raise RigidtopError(f"where does it start? q = a number for each of {shown}")
-    given = {} if given is None else given
-    if isinstance(given, Mapping):
+    names = ", ".join(map(system.names.spelled, letters))
+    if numbers is None and what == "q":
+        raise RigidtopError(f"where does it start? q = a number for each of {names}")
+    numbers = {} if numbers is None else numbers
+    if isinstance(numbers, Mapping):
         places = {}
-        for key, value in given.items():
+        for key, value in numbers.items():
             place = _place(key, letters, system)
             if place is None:
-                raise RigidtopError(f"{what} has {in_one_line(key)}, which is none of {shown}")
+                raise RigidtopError(f"{what} has {in_one_line(key)}, which is none of {names}")
             places[place] = value
         missing = [x.name for k, x in enumerate(letters) if k not in places]
         if missing and what == "q":
             raise RigidtopError(f"q has no number for {', '.join(missing)}")
         values = [places.get(k, 0.0) for k in range(len(letters))]
     else:
-        values = [*several(given)]
+        values = [*several(numbers)]
     if len(values) != len(letters):
-        raise RigidtopError(f"{what} has {len(values)} numbers, for {shown}")
+        raise RigidtopError(f"{what} has {len(values)} numbers, for {names}")
     return dict(zip(letters, values, strict=True))
 
 
@@ -161,11 +161,11 @@ def sizes(system: Computed, states: Floats) -> Floats:
 
     Of one state (n,) or of many (n, L).
     """
-    n, made = len(system.q), np.ones(states.shape)
+    n, units = len(system.q), np.ones(states.shape)
     for part in (slice(n), slice(n, 2 * n), slice(2 * n, 2 * n + system.numeric.works)):
         largest = np.max(np.abs(states[part]), axis=0, initial=0.0)
-        made[part] = np.where((largest > 0) & (largest < 1), largest, 1.0)
-    return made
+        units[part] = np.where((largest > 0) & (largest < 1), largest, 1.0)
+    return units
 
 
 def at_its_size(
@@ -175,11 +175,11 @@ def at_its_size(
 
     The second time they are fractions of what it comes to, and not below `least` of what they were.
     """
-    made = run(sizes)
+    flow = run(sizes)
     before = sizes(start)
-    largest = np.maximum(sizes(np.abs(made.path(made.steps)).max(axis=1)), least * before)
+    largest = np.maximum(sizes(np.abs(flow.path(flow.steps)).max(axis=1)), least * before)
     if np.all(largest >= TOO_SMALL * before):
-        return made
+        return flow
     return run(lambda _: largest)
 
 

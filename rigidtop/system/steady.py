@@ -73,8 +73,8 @@ class Small:
         >>> System(m*v**2/2 - k*x**2/2, [x], [v]).small({x: 0}).characteristic(omega)
         k - m*omega**2
         """
-        made = -(frequency**2) * self.mass + sympy.I * frequency * self.damping + self.stiffness
-        return sympy.expand(made.det(method="berkowitz"))
+        matrix = -(frequency**2) * self.mass + sympy.I * frequency * self.damping + self.stiffness
+        return sympy.expand(matrix.det(method="berkowitz"))
 
     def rates(self, parameters: Mapping[Expr, object]) -> NDArray[np.complex128]:
         """The 2n numbers s of the deviations e^{st} (1/s), by magnitude of the frequency.
@@ -83,14 +83,14 @@ class Small:
         Raises RigidtopError where the steady motion does not exist for these numbers, or where
         the mass matrix is singular.
         """
-        found = np.array([complex(s) for s in _spectrum(*self._sides(self._at(parameters)))])
-        return found[np.lexsort((found.imag, np.abs(found.imag)))]
+        rates = np.array([complex(s) for s in _spectrum(*self._sides(self._at(parameters)))])
+        return rates[np.lexsort((rates.imag, np.abs(rates.imag)))]
 
     def frequencies(self, parameters: Mapping[Expr, object]) -> NDArray[np.float64]:
         """Angular frequencies of what oscillates, once each (rad/s), increasing."""
-        found = self.rates(parameters)
-        least = NEUTRAL * max(float(np.max(np.abs(found))), 1e-300)
-        return np.sort(found.imag[found.imag > least])
+        rates = self.rates(parameters)
+        least = NEUTRAL * max(float(np.max(np.abs(rates))), 1e-300)
+        return np.sort(rates.imag[rates.imag > least])
 
     def stability(self, parameters: Mapping[Expr, object]) -> str:
         """What the linear equations tell.
@@ -110,14 +110,14 @@ class Small:
             {x: value * (1 + sign * k * LAST_DIGIT) for k, (x, value) in _counted(values)}
             for sign in (0, 1, -1)
         )
-        told = {self._told(*self._sides(each)) for each in near}
-        return told.pop() if len(told) == 1 else "undecided"
+        verdicts = {self._told(*self._sides(each)) for each in near}
+        return verdicts.pop() if len(verdicts) == 1 else "undecided"
 
     def _told(self, M: matrix, C: matrix, K: matrix) -> str:
-        found = _spectrum(M, C, K)
-        none = NEUTRAL * max(map(abs, found))
-        neutral = [s for s in found if abs(s.real) <= NEUTRAL * abs(s) or abs(s) <= none]
-        if any(s.real > 0 and s not in neutral for s in found):
+        spectrum = _spectrum(M, C, K)
+        none = NEUTRAL * max(map(abs, spectrum))
+        neutral = [s for s in spectrum if abs(s.real) <= NEUTRAL * abs(s) or abs(s) <= none]
+        if any(s.real > 0 and s not in neutral for s in spectrum):
             return "unstable"
         if not neutral:
             return "asymptotically stable"
@@ -173,14 +173,14 @@ def _spectrum(M: matrix, C: matrix, K: matrix) -> list[Any]:
         first[k, n + k] = 1
         first[n:, k] = -MANY.lu_solve(M, K[:, k])
         first[n:, n + k] = -MANY.lu_solve(M, C[:, k])
-    found: list[Any] = MANY.eig(first, left=False, right=False)
-    return [MANY.mpc(s) for s in found]
+    eigenvalues: list[Any] = MANY.eig(first, left=False, right=False)
+    return [MANY.mpc(s) for s in eigenvalues]
 
 
 def _positive(side: matrix) -> bool:
     """Whether a symmetric matrix is positive definite."""
-    found = MANY.eigsy(side, eigvals_only=True)
-    return bool(min(found) > LEFT * max(map(abs, found)))
+    eigenvalues = MANY.eigsy(side, eigvals_only=True)
+    return bool(min(eigenvalues) > LEFT * max(map(abs, eigenvalues)))
 
 
 def _grows(s: mpc, M: matrix, C: matrix, K: matrix, times: int) -> bool:
@@ -211,10 +211,10 @@ def equilibria(system: Derived) -> tuple[dict[Expr, Expr], ...]:
     if any(c.has(names.t) for c in conditions):
         raise RigidtopError("the forces change in time: there is no equilibrium")
     try:
-        found = sympy.solve(conditions, unknown, dict=True)
+        solutions = sympy.solve(conditions, unknown, dict=True)
     except NotImplementedError:
         raise RigidtopError("SymPy does not solve the conditions: see S.balance") from None
-    real = [each for each in found if all(v.is_real is not False for v in each.values())]
+    real = [each for each in solutions if all(v.is_real is not False for v in each.values())]
     # By half angles SymPy loses an angle of π, or half a period.
     if len(unknown) <= MOST_ANGLES and not system.constraints:
         tried = [(sympy.S.Zero, sympy.pi / (_rate(x, conditions) or 1)) for x in unknown]
@@ -229,11 +229,11 @@ def equilibria(system: Derived) -> tuple[dict[Expr, Expr], ...]:
 
 
 def _turned(
-    found: Sequence[Mapping[Expr, Expr]], conditions: Sequence[Expr]
+    solutions: Sequence[Mapping[Expr, Expr]], conditions: Sequence[Expr]
 ) -> list[dict[Expr, Expr]]:
     """The places with those that SymPy loses of sin 3θ = 0, each place once a turn."""
-    made: list[dict[Expr, Expr]] = []
-    for place in found:
+    places: list[dict[Expr, Expr]] = []
+    for place in solutions:
         rates = {x: _rate(x, conditions) for x in place}
         for shifts in product(*(range(max(rate.p, 1)) for rate in rates.values())):
             further = {}
@@ -241,9 +241,9 @@ def _turned(
                 value = place[x] + (2 * sympy.pi * k / rate if rate else 0)
                 turn = 2 * sympy.pi * rate.q
                 further[x] = value % turn if rate and value.is_number else value
-            if further not in made:
-                made.append(further)
-    return made
+            if further not in places:
+                places.append(further)
+    return places
 
 
 def _rate(x: Symbol, conditions: Sequence[Expr]) -> Rational:
@@ -256,9 +256,9 @@ def _rate(x: Symbol, conditions: Sequence[Expr]) -> Rational:
     return sympy.gcd_list(rates)
 
 
-def _is_among(place: Mapping[Expr, Expr], found: Mapping[Expr, Expr]) -> bool:
+def _is_among(place: Mapping[Expr, Expr], family: Mapping[Expr, Expr]) -> bool:
     """Whether a solution, in which some coordinates may be free, has that place."""
-    return all(sympy.expand(value.subs(place) - place[x]) == 0 for x, value in found.items())
+    return all(sympy.expand(value.subs(place) - place[x]) == 0 for x, value in family.items())
 
 
 def small(system: Derived, about: Mapping[Expr, object]) -> Small:
@@ -270,8 +270,8 @@ def small(system: Derived, about: Mapping[Expr, object]) -> Small:
         back((N.T * side * N).applyfunc(sympy.factor_terms))
         for side in (near.mass, near.damping, near.stiffness)
     )
-    given = {back(x): back(value) for x, value in near.place.items()}
-    return Small(system, given, mass, damping, stiffness, tuple(system.q[k] for k in near.speeds))
+    place = {back(x): back(value) for x, value in near.place.items()}
+    return Small(system, place, mass, damping, stiffness, tuple(system.q[k] for k in near.speeds))
 
 
 def _of_places(system: Derived) -> None:

@@ -60,9 +60,9 @@ class System(Computed):
     def of_energies(cls, T: Given, V: Given, q: Given, qdot: Given = None, **more: Any) -> System:
         """L = T − V; `more` are `forces`, `constraints` and `rayleigh`."""
         V = expression("V", V)
-        made = cls(expression("T", T) - V, q, qdot, **more)
-        object.__setattr__(made, "potential", V)
-        return made
+        system = cls(expression("T", T) - V, q, qdot, **more)
+        object.__setattr__(system, "potential", V)
+        return system
 
     @classmethod
     def of_parts(
@@ -88,25 +88,25 @@ class System(Computed):
         g*l*m*cos(theta) + l**2*m*omega**2/2
         """
         g = Mass(1, (0, 0, 0) if gravity is None else gravity).place
-        V, made = expression("V", V), []
+        V, assemblies = expression("V", V), []
         for part in several(parts):
             if not isinstance(part, (Mass, Body, Linkage)):
                 raise RigidtopError(f"a part is a Mass or a Body, not {in_one_line(part)}")
-            made.append(Tree(part, g) if isinstance(part, Linkage) else part)
+            assemblies.append(Tree(part, g) if isinstance(part, Linkage) else part)
         if gravity is not None:
-            V += potential_energy([x for x in made if isinstance(x, (Mass, Body))], g)
-        system = cls.of_energies(0, V, q, qdot, parts=made, **more)
-        if any(isinstance(part, Tree) for part in made):
+            V += potential_energy([x for x in assemblies if isinstance(x, (Mass, Body))], g)
+        system = cls.of_energies(0, V, q, qdot, parts=assemblies, **more)
+        if any(isinstance(part, Tree) for part in assemblies):
             object.__setattr__(system, "potential", None)  # of which V is only what is besides
         return system
 
     def __repr__(self) -> str:
         names = self.names
-        said = f"System in {', '.join(x.name for x in names.q)}"
+        words = f"System in {', '.join(x.name for x in names.q)}"
         if self.constraints:
-            said += f", {len(self.constraints)} constraints"
-        given = ", ".join(x.name for x in self.parameters)
-        return f"<{said}; parameters {given}>" if given else f"<{said}>"
+            words += f", {len(self.constraints)} constraints"
+        parameters = ", ".join(x.name for x in self.parameters)
+        return f"<{words}; parameters {parameters}>" if parameters else f"<{words}>"
 
     def _repr_latex_(self) -> str:
         return f"$${self.latex()}$$"

@@ -62,10 +62,10 @@ class SystemTrajectory(Rows):
     def columns(self) -> dict[str, Floats]:
         """t, the coordinates, their velocities and the energy."""
         names = self._system.names
-        made = {"t/s": self.t}
-        made |= {header(x): self.q[:, k] for k, x in enumerate(names.q)}
-        made |= {header(v, names.spelled(v)): self.qdot[:, k] for k, v in enumerate(names.v)}
-        return made | {"energy/J" if _in_si(self._system) else "energy": self.energy}
+        columns = {"t/s": self.t}
+        columns |= {header(x): self.q[:, k] for k, x in enumerate(names.q)}
+        columns |= {header(v, names.spelled(v)): self.qdot[:, k] for k, v in enumerate(names.v)}
+        return columns | {"energy/J" if _in_si(self._system) else "energy": self.energy}
 
     @property
     def plotted(self) -> tuple[str | tuple[str, str], ...]:
@@ -108,8 +108,8 @@ class SystemTrajectory(Rows):
     def value(self, quantity: Expr) -> Floats:
         """A quantity of q, q̇, p, t and the parameters along the motion, shape (N,)."""
         asked = self._system.quantity(expression("the quantity", quantity))
-        made: Floats = self._arrays((asked,))[0]
-        return made
+        values: Floats = self._arrays((asked,))[0]
+        return values
 
     @property
     def _system(self) -> Computed:
@@ -126,8 +126,8 @@ class SystemTrajectory(Rows):
     @cached_property
     def energy(self) -> Floats:
         """Jacobi's integral, shape (N,), in J."""
-        made: Floats = self._along(self._system.numeric.energy)[0]
-        return made
+        energy: Floats = self._along(self._system.numeric.energy)[0]
+        return energy
 
     @cached_property
     def momenta(self) -> Floats:
@@ -153,8 +153,8 @@ class SystemTrajectory(Rows):
         for slip in np.unique(self.slip):
             at = self.slip == slip
             states = np.concatenate([self.q[at], self.qdot[at]], axis=1).T
-            found = slipping.solved(slip, self.t[at], states)
-            rows[at] = found[: rows.shape[1]].T
+            solved = slipping.solved(slip, self.t[at], states)
+            rows[at] = solved[: rows.shape[1]].T
         return rows
 
     @cached_property

@@ -39,9 +39,9 @@ FLOATING = (
 )
 
 
-def links_and_joints(given: Any, friction: bool) -> tuple[list[Link], list[Joint]]:
+def links_and_joints(source: Any, friction: bool) -> tuple[list[Link], list[Joint]]:
     """The links and joints of a file or a text; see `Mechanism.from_urdf`."""
-    robot = _root(_text(given))
+    robot = _root(_text(source))
     links = [_link(each) for each in robot.findall("link")]
     names = [_named(each) for each in robot.findall("joint")]
     for name in names:
@@ -55,25 +55,25 @@ def links_and_joints(given: Any, friction: bool) -> tuple[list[Link], list[Joint
     return links, joints
 
 
-def _text(given: Any) -> str:
+def _text(source: Any) -> str:
     """The text that is given, or that of the file."""
-    if isinstance(given, str) and "<" in given:
-        return given
-    if not isinstance(given, (str, Path)):
-        raise RigidtopError(f"a URDF is a path or a text, not {in_one_line(given)}")
-    path = Path(given)
+    if isinstance(source, str) and "<" in source:
+        return source
+    if not isinstance(source, (str, Path)):
+        raise RigidtopError(f"a URDF is a path or a text, not {in_one_line(source)}")
+    path = Path(source)
     try:
         if not path.is_file():
-            said = "there is no such file"
+            problem = "there is no such file"
         elif path.stat().st_size > LARGEST:
-            said = f"it is larger than {LARGEST // 10**6} MB"
+            problem = f"it is larger than {LARGEST // 10**6} MB"
         else:
             return path.read_bytes().decode("utf-8-sig")
     except UnicodeError:
-        said = "it is not in UTF-8"
+        problem = "it is not in UTF-8"
     except (OSError, ValueError) as error:
-        said = in_one_line(str(error))
-    raise RigidtopError(f"the URDF {in_one_line(path.name)} can't be read: {said}")
+        problem = in_one_line(str(error))
+    raise RigidtopError(f"the URDF {in_one_line(path.name)} can't be read: {problem}")
 
 
 def _root(text: str) -> Element:
@@ -117,8 +117,8 @@ def _link(element: Element) -> Link:
     xx, xy, xz, yy, yz, zz = (
         _numbers(row, key, "0", 1, name)[0] for key in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
     )
-    made = attitude * Matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) * attitude.T
-    tensor = Matrix(3, 3, lambda i, j: made[max(i, j), min(i, j)])
+    inertia = attitude * Matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) * attitude.T
+    tensor = Matrix(3, 3, lambda i, j: inertia[max(i, j), min(i, j)])
     return Link(name, mass, place, tensor)
 
 
@@ -211,11 +211,11 @@ def _numbers(
     element: Element | None, key: str, otherwise: str, count: int, name: str, angles: bool = False
 ) -> list[Expr]:
     """The numbers of an attribute, as many as are wanted."""
-    given = otherwise if element is None else element.get(key, otherwise)
-    words = given.split()
+    text = otherwise if element is None else element.get(key, otherwise)
+    words = text.split()
     if len(words) != count or not all(map(NUMBER.fullmatch, words)):
         wanted = "a number" if count == 1 else f"{count} numbers"
-        raise RigidtopError(f"{key} of {name} is {wanted}, not {in_one_line(given)}")
+        raise RigidtopError(f"{key} of {name} is {wanted}, not {in_one_line(text)}")
     return [_angle(word) if angles else Rational(word) for word in words]
 
 
@@ -225,10 +225,10 @@ def _angle(word: str) -> Expr:
     >>> _angle("1.5708"), _angle("-0.261799388"), _angle("1.57"), _angle("1.5707")
     (pi/2, -pi/12, 157/100, 15707/10000)
     """
-    value, known = Rational(word), ANGLE.fullmatch(word)
-    if known:
+    value, match = Rational(word), ANGLE.fullmatch(word)
+    if match:
         near = sympy.Integer(round(float(value) * 12 / float(sympy.pi))) * sympy.pi / 12
-        half = Rational(1, 2 * 10 ** len(known[1]))
+        half = Rational(1, 2 * 10 ** len(match[1]))
         if near != 0 and abs(sympy.N(near - value, 60)) <= half:
             return near
     return value

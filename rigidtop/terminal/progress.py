@@ -25,17 +25,17 @@ def bar(label: str, stream: TextIO | None = None) -> Callable[[int, int], None]:
     out = sys.stderr if stream is None else stream
     if not out.isatty():
         return lambda done, total: None
-    start = shown = time.monotonic()
+    start = latest = time.monotonic()
     begin: int | None = None
 
     def show(done: int, total: int) -> None:
-        nonlocal begin, shown
+        nonlocal begin, latest
         begin = done if begin is None else begin
         now = time.monotonic()
         if done >= total:
             print("\r\033[K", end="", file=out, flush=True)
-        elif now - shown >= EVERY_SECONDS:
-            shown = now
+        elif now - latest >= EVERY_SECONDS:
+            latest = now
             text = line(label, done, total, done - begin, now - start)
             print(f"\r\033[K{text}", end="", file=out, flush=True)
 

@@ -215,9 +215,9 @@ def _table(
         ]
         for j, piece in enumerate(wrapped(row[-1], rest)):
             start = "  ".join(first) if j == 0 else " " * (indent - 2)
-            shown = padded(piece, number, right=True)
-            shown = _colored(shown, row[-1], colors) if j == 0 else shown
-            lines.append(f"{start}  {shown}".rstrip() if rooms else shown)
+            text = padded(piece, number, right=True)
+            text = _colored(text, row[-1], colors) if j == 0 else text
+            lines.append(f"{start}  {text}".rstrip() if rooms else text)
         if head and place == 0:
             longest = max(columns(line) for row in every[1:] for line in wrapped(row[-1], rest))
             ends = indent + longest if longest else max(indent - 2, 0)
@@ -225,10 +225,10 @@ def _table(
     return "\n".join(lines)
 
 
-def _colored(shown: str, cell: str, colors: Mapping[str, str] | None) -> str:
+def _colored(text: str, cell: str, colors: Mapping[str, str] | None) -> str:
     if not colors or cell not in colors:
-        return shown
-    return shown.replace(cell, f"\033[{_COLORS[colors[cell]]}m{cell}\033[0m", 1)
+        return text
+    return text.replace(cell, f"\033[{_COLORS[colors[cell]]}m{cell}\033[0m", 1)
 
 
 def wants_color(stream: TextIO | None = None) -> bool:

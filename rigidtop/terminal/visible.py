@@ -24,12 +24,12 @@ def visible(text: str) -> str:
     >>> visible("a\\x1b[2J\\u202eb\\n")
     'a(U+001B)[2J(U+202E)b\\n'
     """
-    return _UNSEEN.sub(lambda found: f"(U+{ord(found[0]):04X})", text)
+    return _UNSEEN.sub(lambda match: f"(U+{ord(match[0]):04X})", text)
 
 
 def escaped(json: str) -> str:
     """The same of JSON, which reads back as it was."""
-    return _UNSEEN.sub(lambda found: f"\\u{ord(found[0]):04x}", json)
+    return _UNSEEN.sub(lambda match: f"\\u{ord(match[0]):04x}", json)
 
 
 class _Visible:
@@ -40,8 +40,8 @@ class _Visible:
 
     def write(self, text: str) -> int:
         parts = _OURS.split(text) if self._stream.isatty() else [text]
-        shown = "".join(part if k % 2 else visible(part) for k, part in enumerate(parts))
-        self._stream.write(shown)
+        line = "".join(part if k % 2 else visible(part) for k, part in enumerate(parts))
+        self._stream.write(line)
         return len(text)
 
     def __getattr__(self, name: str) -> Any:

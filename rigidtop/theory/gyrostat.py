@@ -45,8 +45,8 @@ def rates() -> Mapping[Expr, Expr]:
     around = {moment: moment - s.ball for moment in euler.MOMENTS}
     turning = euler.body_accelerations(oil).subs(around, simultaneous=True)
     relative = -oil / s.ball - omega.cross(Matrix(RELATIVE)) - turning
-    made = dict(zip([*euler.OMEGA, *RELATIVE], [*turning, *relative], strict=True))
-    return MappingProxyType(made)
+    rate_by_letter = dict(zip([*euler.OMEGA, *RELATIVE], [*turning, *relative], strict=True))
+    return MappingProxyType(rate_by_letter)
 
 
 @lru_cache(maxsize=CACHED)

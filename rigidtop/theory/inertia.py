@@ -32,12 +32,12 @@ Limits = tuple[tuple[Symbol, Expr, Expr], ...]
 def _integral(position: ImmutableMatrix, limits: Limits, density: Expr) -> Expr:
     """∫ d³r of the density, once for each: claims, exercises and figures ask for the same."""
     jacobian = reduce_trig(position.jacobian([limit[0] for limit in limits]).det())
-    made = density * jacobian
+    integrand = density * jacobian
     for limit in limits:
-        terms = Add.make_args(sympy.expand(made))
+        terms = Add.make_args(sympy.expand(integrand))
         parts = [term.as_independent(limit[0], as_Add=False) for term in terms]
-        made = Add(*(outside * _single(inside, limit) for outside, inside in parts))
-    return sympy.factor(made)
+        integrand = Add(*(outside * _single(inside, limit) for outside, inside in parts))
+    return sympy.factor(integrand)
 
 
 @cache

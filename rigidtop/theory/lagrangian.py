@@ -135,12 +135,12 @@ def inverse_momenta(L: Expr, qdot: Names, p: Names) -> dict[Expr, Expr]:
     _check(L, velocities=qdot, momenta=p)
     equations = list(momenta(L, qdot) - Matrix(p))
     try:
-        found = [dict(zip(qdot, x, strict=True)) for x in sympy.linsolve(equations, *qdot)]
+        solutions = [dict(zip(qdot, x, strict=True)) for x in sympy.linsolve(equations, *qdot)]
     except NonlinearError:
-        found = sympy.solve(equations, list(qdot), dict=True)
-    if len(found) != 1 or any(x.has(*qdot) for x in found[0].values()):
+        solutions = sympy.solve(equations, list(qdot), dict=True)
+    if len(solutions) != 1 or any(x.has(*qdot) for x in solutions[0].values()):
         raise ValueError("the momenta do not determine the velocities")
-    return {v: reduce_ratio(x) for v, x in found[0].items()}
+    return {v: reduce_ratio(x) for v, x in solutions[0].items()}
 
 
 def cyclic_velocities(L: Expr, velocities: Names, p: Names) -> dict[Expr, Expr]:

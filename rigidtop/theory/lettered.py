@@ -54,10 +54,10 @@ class Symbol(sympy.Symbol):
         **assumptions: bool,
     ) -> Symbol:
         # SymPy's own cache of symbols knows a name and assumptions only.
-        made: Symbol = sympy.Symbol.__xnew__(cls, name, **assumptions)
-        made.quantity, made.place, made.stands = quantity, place, stands
-        made._sorted_by = f"{stands_for(made).name} {name} {quantity} {place}"
-        return made
+        symbol: Symbol = sympy.Symbol.__xnew__(cls, name, **assumptions)
+        symbol.quantity, symbol.place, symbol.stands = quantity, place, stands
+        symbol._sorted_by = f"{stands_for(symbol).name} {name} {quantity} {place}"
+        return symbol
 
     def __getnewargs_ex__(self) -> Any:
         return (self.name, self.quantity, self.place, self.stands), self.assumptions0
@@ -102,8 +102,8 @@ def instead(stands: sympy.Symbol, name: str, glyph: Glyph, meaning: str = "") ->
     >>> I1, I1.quantity.meaning, stands_for(I1), I1 == lambda1
     (I1, 'principal moment of inertia about $\\\\mathbf e_1$', lambda1, False)
     """
-    place, known = BY_NAME[stands.name]
-    quantity = replace(known, glyph=glyph, meaning=meaning or known.meaning)
+    place, entry = BY_NAME[stands.name]
+    quantity = replace(entry, glyph=glyph, meaning=meaning or entry.meaning)
     return Lettered(name, quantity, place, stands, **stands.assumptions0)
 
 

@@ -66,12 +66,12 @@ class Polynomial:
         >>> Polynomial(1/x - x/y**2).factors()
         [(x, -1), (y, -2), (-1, 1), (x - y, 1), (x + y, 1)]
         """
-        found = []
+        factored = []
         for element, power in filter(itemgetter(1), self._ratio()):
             number, factors = _factored(element)
-            found.append((self._ring.domain.to_sympy(number), power))
-            found += [(self._expression(factor), power * n) for factor, n in factors]
-        return [(base, power) for base, power in found if base != 1]
+            factored.append((self._ring.domain.to_sympy(number), power))
+            factored += [(self._expression(factor), power * n) for factor, n in factors]
+        return [(base, power) for base, power in factored if base != 1]
 
     def _expression(self, element: PolyElement) -> Expr:
         return element.as_expr(*self._names)
@@ -146,8 +146,8 @@ class Polynomial:
 
     def _lowered(self, terms: PolyElement) -> PolyElement:
         """The terms reduced by the relations, as long as one of them lowers a power."""
-        known = [(x, *relation) for x, relation in self._relations.items() if relation]
-        while high := [r for r in known if any(powers[self._at[r[0]]] >= r[1] for powers in terms)]:
+        rules = [(x, *relation) for x, relation in self._relations.items() if relation]
+        while high := [r for r in rules if any(powers[self._at[r[0]]] >= r[1] for powers in terms)]:
             for x, least, other in high:
                 by = self._value(other)
 
@@ -161,8 +161,8 @@ class Polynomial:
         self, terms: PolyElement, k: int, instead: Callable[[int], PolyElement]
     ) -> PolyElement:
         """The sum with something else instead of each power of a generator."""
-        made = (part * instead(n) for n, part in _coefficients(terms, k).items())
-        return sum(made, self._ring.zero)
+        sums = (part * instead(n) for n, part in _coefficients(terms, k).items())
+        return sum(sums, self._ring.zero)
 
 
 def _factored(element: PolyElement) -> tuple[object, list[tuple[PolyElement, int]]]:

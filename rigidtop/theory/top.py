@@ -99,8 +99,8 @@ def symmetric_top_accelerations() -> ImmutableMatrix:
 
 def along_motion(expression: Expr) -> Expr:
     """d/dt of a function of angles and rates of the symmetric top along its motion."""
-    found = dict(zip(ACCELERATIONS, symmetric_top_accelerations(), strict=True))
-    return total_derivative(expression, EULER_RATES).subs(found)
+    accelerations = dict(zip(ACCELERATIONS, symmetric_top_accelerations(), strict=True))
+    return total_derivative(expression, EULER_RATES).subs(accelerations)
 
 
 def newton_euler_thetaddot() -> Expr:

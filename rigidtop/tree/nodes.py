@@ -300,14 +300,14 @@ class Order(Node):
 
 def parts(node: Node) -> tuple[Node, ...]:
     """The nodes right below a node, in the order in which they are written."""
-    found: list[Node] = []
+    below: list[Node] = []
     for name in _branches(node.__class__):  # type: ignore[arg-type]
         value = getattr(node, name)
         if isinstance(value, tuple):
-            _collect(value, found)
+            _collect(value, below)
         elif isinstance(value, Node):
-            found.append(value)
-    return tuple(found)
+            below.append(value)
+    return tuple(below)
 
 
 def rebuilt(node: Node, others: Sequence[Node]) -> Node:
@@ -371,12 +371,12 @@ def _branches(kind: type) -> tuple[str, ...]:
     return tuple(x.name for x in fields(kind) if x.type not in ("str", "bool", "int"))
 
 
-def _collect(value: object, found: list[Node]) -> None:
+def _collect(value: object, below: list[Node]) -> None:
     if isinstance(value, Node):
-        found.append(value)
+        below.append(value)
     elif isinstance(value, tuple):
         for each in value:
-            _collect(each, found)
+            _collect(each, below)
 
 
 def _filled(value: object, left: Iterator[Node]) -> object:

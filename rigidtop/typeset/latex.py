@@ -56,10 +56,10 @@ def align(rows: Sequence[AlignRow], limit: float = sizes.LINE) -> str:
     r"""The ``align`` environment of some rows; ``align*`` if none has a tag."""
     star = "" if any(row.tag or row.behind for row in rows) else "*"
     beside = _all_fit_beside(rows, limit)
-    made: list[str] = []
+    lines: list[str] = []
     for i, row in enumerate(rows):
-        if row.reason and not beside and made:
-            made[-1] += _intertext(row.reason)
+        if row.reason and not beside and lines:
+            lines[-1] += _intertext(row.reason)
         for j, tex in enumerate(row_lines(row)):
             last = j == len(row.lines) - 1
             words = " ".join(filter(None, [row.reason if beside else "", row.mark]))
@@ -75,10 +75,10 @@ def align(rows: Sequence[AlignRow], limit: float = sizes.LINE) -> str:
             if last and row.label:
                 tex += rf"\label{{{row.label}}}"
             # A page may end between equations, not within one.
-            made.append(tex + (r" \\*" if not last else r" \\" * (i < len(rows) - 1)))
+            lines.append(tex + (r" \\*" if not last else r" \\" * (i < len(rows) - 1)))
     # What stands above the first line is a paragraph of its own.
     before = rows[0].reason + "\n" if rows[0].reason and not beside else ""
-    body = "\n".join(made)
+    body = "\n".join(lines)
     return f"{before}\\begin{{align{star}}}\n{body}\n\\end{{align{star}}}"
 
 
@@ -198,17 +198,17 @@ def _styled(c: str) -> str:
 
 def _base(base: str) -> str:
     """A letter with what is one with it: bars, primes, stars, another style."""
-    made = ""
+    tex = ""
     for c in unicodedata.normalize("NFD", base):
         if c in _MARKS:
-            made = _MARKS[c] % made
+            tex = _MARKS[c] % tex
             continue
         plain, style = unicodedata.normalize("NFKC", c), _styled(c)
         if c not in LETTERS and style and plain != c:
-            made += rf"\{style}{{{plain}}}"
+            tex += rf"\{style}{{{plain}}}"
         else:
-            made = joined(made, LETTERS.get(c, MATHS.get(c, c)))
-    return made
+            tex = joined(tex, LETTERS.get(c, MATHS.get(c, c)))
+    return tex
 
 
 def _subscript(sub: str) -> str:

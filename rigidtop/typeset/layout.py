@@ -250,9 +250,9 @@ def _(tree: Expr, order: Order) -> lay.Node:
 @_node.register
 def _(tree: Partial, order: Order) -> lay.Node:
     body, by = tree.args
-    shown, inside = _node(body, order), isinstance(body, Symbol)
-    shown = shown if inside else lay.bracketed(shown)
-    return lay.DifferentialQuotient(shown, _node(by, order), True, inside)
+    node, inside = _node(body, order), isinstance(body, Symbol)
+    node = node if inside else lay.bracketed(node)
+    return lay.DifferentialQuotient(node, _node(by, order), True, inside)
 
 
 @_node.register
@@ -261,9 +261,9 @@ def _(tree: Slope, order: Order) -> lay.Node:
     count = 1
     while isinstance(of, Slope) and of.args[1] == by:
         of, count = of.args[0], count + 1
-    shown, inside = _node(of, order), isinstance(of, Symbol)
-    shown = shown if inside else lay.bracketed(shown)
-    return lay.DifferentialQuotient(shown, _node(by, order), False, inside, order=count)
+    node, inside = _node(of, order), isinstance(of, Symbol)
+    node = node if inside else lay.bracketed(node)
+    return lay.DifferentialQuotient(node, _node(by, order), False, inside, order=count)
 
 
 @_node.register
@@ -282,8 +282,8 @@ def _(tree: Rate, order: Order) -> lay.Node:
 @_node.register
 def _(tree: SumOver, order: Order) -> lay.Node:
     index, body = tree.args
-    shown = _node(index, order) if str(index) else None
-    return lay.Big("∑", shown, _under_big(_node(body, order)))
+    node = _node(index, order) if str(index) else None
+    return lay.Big("∑", node, _under_big(_node(body, order)))
 
 
 @_node.register

@@ -91,9 +91,9 @@ def _cell(inside: str, side: str = "left", inset: int = 0) -> str:
 
 def element(inside: str, alt: str, block: bool) -> str:
     """The ``<math>`` round its inside; `alt` says it in words."""
-    shown = ' display="block"' if block else ""
+    attribute = ' display="block"' if block else ""
     return (
-        f'<math xmlns="http://www.w3.org/1998/Math/MathML"{shown} alttext="{escape(alt)}">'
+        f'<math xmlns="http://www.w3.org/1998/Math/MathML"{attribute} alttext="{escape(alt)}">'
         f"{inside}</math>"
     )
 
@@ -120,9 +120,9 @@ def labelled(sides: Sequence[tuple[Sequence[Any], int | None]], alt: str) -> str
     A side is its terms as layout nodes and the number of the first, ``data-term``; terms without a
     number are plain.
     """
-    made = ""
+    row = ""
     for place, (nodes, number) in enumerate(sides):
-        made += "<mo>=</mo>" if place else ""
+        row += "<mo>=</mo>" if place else ""
         for k, node in enumerate(nodes):
             negative = isinstance(node, lay.Terms) and len(node.terms) == 1
             inside = _ml(node.terms[0].body) if negative else _ml(node)
@@ -130,8 +130,8 @@ def labelled(sides: Sequence[tuple[Sequence[Any], int | None]], alt: str) -> str
             if k or negative:
                 inside = f'<mo form="{form}">{"−" if negative else "+"}</mo>{inside}'
             mark = "" if number is None else f' data-term="{number + k}"'
-            made += f"<mrow{mark}>{inside}</mrow>"
-    return element(made, alt, True)
+            row += f"<mrow{mark}>{inside}</mrow>"
+    return element(row, alt, True)
 
 
 def letter(glyph: Glyph) -> str:
@@ -164,18 +164,18 @@ def subscript(sub: str) -> str:
     """An index: 1, ⊥, φ, CM, 1′."""
     plain = sub.rstrip("′")
     if plain.isdigit():
-        made = f"<mn>{plain}</mn>"
+        index = f"<mn>{plain}</mn>"
     elif plain in ("+", "−", "⊥"):
-        made = f"<mo>{plain}</mo>"
+        index = f"<mo>{plain}</mo>"
     elif not plain.isalpha():
-        made = f"<mn>{escape(plain)}</mn>"
+        index = f"<mn>{escape(plain)}</mn>"
     elif len(plain) > 1 and set(plain) <= set("xyzijkl"):
-        made = _group("".join(f"<mi>{c}</mi>" for c in plain))
+        index = _group("".join(f"<mi>{c}</mi>" for c in plain))
     elif len(plain) > 1:
-        made = f"<mtext>{escape(plain)}</mtext>"
+        index = f"<mtext>{escape(plain)}</mtext>"
     else:
-        made = f"<mi>{_SHAPES.get(plain, escape(plain))}</mi>"
-    return _group(f"{made}<mo>′</mo>") if plain != sub else made
+        index = f"<mi>{_SHAPES.get(plain, escape(plain))}</mi>"
+    return _group(f"{index}<mo>′</mo>") if plain != sub else index
 
 
 def _group(inside: str) -> str:
@@ -189,20 +189,20 @@ def _ml(node: lay.Node) -> str:
         case lay.Atom():
             return letter(node.glyph)
         case lay.Terms():
-            made = ""
+            math = ""
             for sign, body in node.signed():
                 # The first one of a line that goes on has the space of an infix, too.
-                form = f' form="{"infix" if " " in sign else "prefix"}"' * (not made)
-                made += f"<mo{form}>{sign.strip()}</mo>" * bool(sign) + _ml(body)
-            return _group(made)
+                form = f' form="{"infix" if " " in sign else "prefix"}"' * (not math)
+                math += f"<mo{form}>{sign.strip()}</mo>" * bool(sign) + _ml(body)
+            return _group(math)
         case lay.Factors():
-            made = _ml(node.factors[0])
+            math = _ml(node.factors[0])
             for joint, factor in zip(node.joints, node.factors[1:], strict=True):
-                made += _JOINTS[joint] + _ml(factor)
-            return _group(made)
+                math += _JOINTS[joint] + _ml(factor)
+            return _group(math)
         case lay.Fraction():
-            made = f"<mfrac>{_ml(node.over)}{_ml(node.under)}</mfrac>"
-            return f'<mstyle displaystyle="false">{made}</mstyle>' if node.small else made
+            math = f"<mfrac>{_ml(node.over)}{_ml(node.under)}</mfrac>"
+            return f'<mstyle displaystyle="false">{math}</mstyle>' if node.small else math
         case lay.Superscript():
             return with_superscript(_ml(node.base), _ml(node.exponent))
         case lay.Radical():
@@ -241,12 +241,12 @@ def _ml(node: lay.Node) -> str:
                 by = with_superscript(by, f"<mn>{node.order}</mn>")
             under = _group(under_order + by)
             if node.inside:
-                made = f"<mfrac>{_group(over + _ml(node.body))}{under}</mfrac>"
+                math = f"<mfrac>{_group(over + _ml(node.body))}{under}</mfrac>"
             else:
-                made = _group(f"<mfrac>{over}{under}</mfrac>{_ml(node.body)}")
+                math = _group(f"<mfrac>{over}{under}</mfrac>{_ml(node.body)}")
             if node.frame:
-                return f"<msub>{fenced(made, '()', True)}<mtext>{escape(node.frame)}</mtext></msub>"
-            return made
+                return f"<msub>{fenced(math, '()', True)}<mtext>{escape(node.frame)}</mtext></msub>"
+            return math
         case lay.Big():
             bounds = node.index.bounds if isinstance(node.index, lay.IntegralMeasure) else ()
             index = "" if node.index is None else _ml(node.index)
@@ -281,10 +281,10 @@ def _ml(node: lay.Node) -> str:
             word = f'<mspace width="1em"/><mtext>{node.between}</mtext><mspace width="1em"/>'
             return _group(word.join(map(_ml, node.items)))
         case lay.Chain():
-            made = _ml(node.sides[0])
+            math = _ml(node.sides[0])
             for sign, side in zip(node.signs, node.sides[1:], strict=True):
-                made += f"<mo>{escape(sign)}</mo>{_ml(side)}"
-            return _group(made)
+                math += f"<mo>{escape(sign)}</mo>{_ml(side)}"
+            return _group(math)
 
 
 _JOINTS = {

@@ -269,8 +269,8 @@ def differential(glyph: Glyph) -> tuple[str, Glyph]:
     (('d³', Glyph(base='r', sub='', accent='', bold=False, prime=False)), \
 ('', Glyph(base='drag', sub='', accent='', bold=False, prime=False)))
     """
-    found = re.fullmatch("([dΔδ][²³]?)(\\w[\u0300-\u036f′]*)", glyph.base)
-    return (found[1], replace(glyph, base=found[2])) if found else ("", glyph)
+    match = re.fullmatch("([dΔδ][²³]?)(\\w[\u0300-\u036f′]*)", glyph.base)
+    return (match[1], replace(glyph, base=match[2])) if match else ("", glyph)
 
 
 # --- Building blocks: brackets and joints -------------------------------------------------------
@@ -400,22 +400,22 @@ def ratio(over: Node, under: Node) -> Node:
 # --- From SymPy ----------------------------------------------------------------------------------
 
 
-def lettered(shown: Glyph) -> Node:
+def lettered(glyph: Glyph) -> Node:
     """A glyph as a node: ω²ₙ has its exponent above its index, det O is a function of O.
 
     >>> lettered(Glyph("ω²", "n")) == Superscript(Atom(Glyph("ω", "n")), Digits("2"))
     True
     """
-    if shown.base.isdigit() and shown.base.isascii():
-        return Digits(shown.base)
-    name, _, argument = shown.base.partition(" ")
+    if glyph.base.isdigit() and glyph.base.isascii():
+        return Digits(glyph.base)
+    name, _, argument = glyph.base.partition(" ")
     if argument:
-        return FunctionOf(name, (Atom(replace(shown, base=argument)),), brackets=False)
-    stem = shown.base.rstrip("⁰¹²³⁴⁵⁶⁷⁸⁹")
-    if stem == shown.base:
-        return Atom(shown)
-    exponent = unicodedata.normalize("NFKC", shown.base.removeprefix(stem))
-    return Superscript(Atom(replace(shown, base=stem)), Digits(exponent))
+        return FunctionOf(name, (Atom(replace(glyph, base=argument)),), brackets=False)
+    stem = glyph.base.rstrip("⁰¹²³⁴⁵⁶⁷⁸⁹")
+    if stem == glyph.base:
+        return Atom(glyph)
+    exponent = unicodedata.normalize("NFKC", glyph.base.removeprefix(stem))
+    return Superscript(Atom(replace(glyph, base=stem)), Digits(exponent))
 
 
 def decimal(number: float, digits_shown: int = 6, *, kept: bool = False) -> Node:

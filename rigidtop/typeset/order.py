@@ -35,8 +35,8 @@ def _weight(symbol: Symbol) -> int:
 def _symbol_key(symbol: Symbol) -> _Key:
     symbol = stands_for(symbol)
     position, quantity = known(symbol)
-    shown = glyph(symbol.name) if quantity is None else quantity.glyph
-    if shown.bold:
+    sign = glyph(symbol.name) if quantity is None else quantity.glyph
+    if sign.bold:
         kind = _VECTOR
     elif quantity is not None and quantity.unit in ("J s", "kg m/s"):
         kind = _MOMENTUM

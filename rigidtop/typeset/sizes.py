@@ -133,7 +133,7 @@ def lines(
             signs.append(sign)
         else:
             packed.append(([side], [sign]))
-    made: list[DisplayLine] = []
+    broken: list[DisplayLine] = []
     for sides, signs in packed:
         pieces = [sides[0]]
         if len(sides) == 1:
@@ -142,9 +142,9 @@ def lines(
             pieces = _broken(sides[0], limit - (margin if fit else HUNG), limit - HUNG)
         joined = pieces if len(sides) == 1 else [lay.Chain(tuple(sides), tuple(signs[1:]))]
         for i, piece in enumerate(joined):
-            left = first if not made else None
-            made.append(DisplayLine(left, signs[0] if i == 0 else "", piece))
-    return made
+            left = first if not broken else None
+            broken.append(DisplayLine(left, signs[0] if i == 0 else "", piece))
+    return broken
 
 
 def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
@@ -159,14 +159,14 @@ def _broken(node: lay.Node, limit: float, whole: float) -> list[lay.Node]:
                 if rows[-1] and width(lay.Terms((*rows[-1], term))) > limit:
                     rows.append([])
                 rows[-1].append(term)
-            made: list[lay.Node] = []
+            pieces: list[lay.Node] = []
             for row in rows:
                 first, *rest = (
                     _broken(row[0].body, limit, whole) if len(row) == 1 else [row[0].body]
                 )
                 terms = (lay.Signed(row[0].negative, first), *row[1:])
-                made += [lay.Continued(terms) if made else lay.Terms(terms), *rest]
-            return made
+                pieces += [lay.Continued(terms) if pieces else lay.Terms(terms), *rest]
+            return pieces
         case lay.Factors(factors=(*before, lay.Brackets() as last)) if width(node) > whole:
             head = lay.Factors(tuple(before), node.joints[:-1]) if before[1:] else before[0]
             if _is_vector(last):  # a · before it would be the product of two

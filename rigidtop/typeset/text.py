@@ -30,28 +30,28 @@ _JOINTS = {"": "", "function": " ", "thin": " ", "dot": "·"}
 def text(tree: Basic, order: Order = "auto", *, tag: bool = False) -> str:
     """An expression, a matrix, a condition or an `Equation`, with its tag behind it if wanted."""
     node = tree if type(tree).__module__ == lay.__name__ else layout(tree, order)
-    made = unicodedata.normalize("NFC", _text(node))
+    sentence = unicodedata.normalize("NFC", _text(node))
     # On one line a name of a part would read as a side of the equation.
     named = [f"{_text(_bare(b.body))} ≡ {_text(b.label)}" for b in _braced(node)]
     if named:
-        made += unicodedata.normalize("NFC", ", with " + " and ".join(dict.fromkeys(named)))
+        sentence += unicodedata.normalize("NFC", ", with " + " and ".join(dict.fromkeys(named)))
     if tag and isinstance(tree, Equation) and tree.tag:
-        made += f"  ({tree.tag})"
-    return made
+        sentence += f"  ({tree.tag})"
+    return sentence
 
 
 def letter(glyph: Glyph) -> str:
     """A symbol as plain text: ω̇₁, e₁′, L_z."""
     before, glyph = lay.differential(glyph)
-    shown = before + glyph.base[0] + _ACCENTS[glyph.accent] + glyph.base[1:]
+    spelling = before + glyph.base[0] + _ACCENTS[glyph.accent] + glyph.base[1:]
     plain = glyph.sub.rstrip("′")
     if plain and all(c in "0123456789−+i" for c in plain):
-        shown += glyph.sub.translate(_SUBSCRIPTS)
+        spelling += glyph.sub.translate(_SUBSCRIPTS)
     elif re.search(r"\w ?[-+−/]|\w \w", glyph.sub):
-        shown += f"_{{{glyph.sub}}}"
+        spelling += f"_{{{glyph.sub}}}"
     elif glyph.sub:
-        shown += "_" + glyph.sub
-    return shown + ("′" if glyph.prime else "")
+        spelling += "_" + glyph.sub
+    return spelling + ("′" if glyph.prime else "")
 
 
 def _text(node: lay.Node) -> str:
@@ -63,18 +63,18 @@ def _text(node: lay.Node) -> str:
         case lay.Terms():
             return "".join(sign + _text(body) for sign, body in node.signed()).lstrip()
         case lay.Factors():
-            made = _factor(node.factors[0])
+            spelling = _factor(node.factors[0])
             for joint, factor in zip(node.joints, node.factors[1:], strict=True):
                 right = _factor(factor)
                 between = _JOINTS[joint]
-                if not between and re.search(r"_\w+$", made) and right[0] not in "([|":
+                if not between and re.search(r"_\w+$", spelling) and right[0] not in "([|":
                     between = " "  # Ω_b ω₂, lest the index runs on
                 if not between and (
-                    "/" in right or (made[-1].isalpha() and re.match(r"\w+_", right))
+                    "/" in right or (spelling[-1].isalpha() and re.match(r"\w+_", right))
                 ):
                     between = " "
-                made += between + right
-            return made
+                spelling += between + right
+            return spelling
         case lay.Fraction():
             over, under = _text(node.over), _text(node.under)
             if node.small and f"{over}/{under}" in _VULGAR:
@@ -111,12 +111,12 @@ def _text(node: lay.Node) -> str:
             d = "∂" if node.partial else "d"
             order = str(node.order).translate(_SUPERSCRIPTS) if node.order > 1 else ""
             body, by = _text(node.body), _text(node.by)
-            made = (
+            spelling = (
                 f"{d}{order}{body}/{d}{by}{order}"
                 if node.inside
                 else f"{d}{order}/{d}{by}{order} {body}"
             )
-            return f"({made})_{node.frame}" if node.frame else made
+            return f"({spelling})_{node.frame}" if node.frame else spelling
         case lay.Big():
             sign = {"∑": "Σ"}.get(node.sign, node.sign)
             index = "" if node.index is None else _text(node.index)
@@ -143,8 +143,8 @@ def _text(node: lay.Node) -> str:
 def _factor(node: Basic) -> str:
     """A quotient among other factors stands in brackets, ½ does not."""
     if isinstance(node, lay.Fraction):
-        shown = _text(node)
-        return f"({shown})" if "/" in shown else shown
+        spelling = _text(node)
+        return f"({spelling})" if "/" in spelling else spelling
     return _text(node)
 
 
@@ -154,10 +154,10 @@ def _is_simple(node: Basic) -> bool:
 
 
 def _superscript(node: Basic) -> str:
-    shown = _text(node)
-    if all(c in "0123456789−" for c in shown):
-        return shown.translate(_SUPERSCRIPTS)
-    return "^" + (shown if _is_simple(node) and len(shown) == 1 else f"({shown})")
+    spelling = _text(node)
+    if all(c in "0123456789−" for c in spelling):
+        return spelling.translate(_SUPERSCRIPTS)
+    return "^" + (spelling if _is_simple(node) and len(spelling) == 1 else f"({spelling})")
 
 
 def _bare(node: Basic) -> Any:

@@ -73,7 +73,7 @@ def printed_unit(text: str) -> str:
     >>> printed_unit("1/s²"), printed_unit("rate (1/s)"), printed_unit("rad/s")
     ('s⁻²', 'rate (s⁻¹)', 'rad/s')
     """
-    return _PER_UNIT.sub(lambda found: f"{found[1]}⁻{found[2] or '¹'}", text)
+    return _PER_UNIT.sub(lambda match: f"{match[1]}⁻{match[2] or '¹'}", text)
 
 
 _PER_UNIT = re.compile(r"(?<![\w$/.)])1/([ms])([²³]?)(?![\w²³])")
@@ -165,8 +165,8 @@ def characters(formula: str) -> str:
     ('e^(σt) ≤ √(λ₁ sin θ)', 'mₖg')
     """
     tokens = iter(_TOKEN.findall(formula))
-    shown = unicodedata.normalize("NFC", _line(_grouped(tokens)))
-    return " ".join(shown.replace("′′", "″").split())
+    line = unicodedata.normalize("NFC", _line(_grouped(tokens)))
+    return " ".join(line.replace("′′", "″").split())
 
 
 def _grouped(tokens: Iterator[str]) -> _Items:
@@ -184,15 +184,15 @@ def _line(items: _Items) -> str:
     text, called = "", False
     rest = iter(items)
     for item in rest:
-        shown = _atom(item, rest)
+        atom = _atom(item, rest)
         name = isinstance(item, str) and item[0] == "\\" and item.strip()[1:] in FUNCTIONS
         script = item in ("^", "_")
-        if (called and not script and shown[:1] not in ("(", " ")) or (
+        if (called and not script and atom[:1] not in ("(", " ")) or (
             name and (text[-1:].isalnum() or text[-1:] in (*")|′", *_SMALL["_"].values()))
         ):
             text += " "
-        operator = isinstance(item, str) and item[0] == "\\" and not shown[-1:].isalnum()
-        text += shown + " " * (operator and text.endswith(" ") and shown in _OPERATORS)
+        operator = isinstance(item, str) and item[0] == "\\" and not atom[-1:].isalnum()
+        text += atom + " " * (operator and text.endswith(" ") and atom in _OPERATORS)
         called = name or (called and script)
     return text
 

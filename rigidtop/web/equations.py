@@ -64,8 +64,8 @@ def energy() -> Expr:
 def smallest_spin() -> Expr:
     """The ω₃ > 0 at which the discriminant of (3.57) vanishes."""
     square = sympy.Symbol("square", positive=True)
-    [found] = sympy.solve(top.discriminant().subs(s.omega3**2, square), square)
-    return sympy.powdenest(sqrt(found), force=True)
+    [solution] = sympy.solve(top.discriminant().subs(s.omega3**2, square), square)
+    return sympy.powdenest(sqrt(solution), force=True)
 
 
 def polhode() -> tuple[Expr, ...]:

@@ -54,9 +54,9 @@ def page(kind: str, first: Preset | None = None, height: int = Page.height) -> P
     Raises RigidtopError where three.js is not installed.
     """
     presets = PRESETS[kind]()
-    shown = first or presets[0]
+    preset = first or presets[0]
     title = TITLES[kind]
-    text = json_text(data(kind, title, presets, shown))
+    text = json_text(data(kind, title, presets, preset))
     return Page(title, document(title, text), height)
 
 
@@ -146,9 +146,9 @@ def _quoted(text: str) -> str:
 
 def data(kind: str, title: str, presets: tuple[Preset, ...], first: Preset) -> Mapping[str, object]:
     """`PageData` of the page's types; what is not one of the presets stands behind them."""
-    shown = presets if first in presets else (*presets, first)
-    parameters = [_slider(each) for each in sliders(kind, (p.setup for p in shown))]
-    return common(kind, title, parameters, shown, first) | {
+    offered = presets if first in presets else (*presets, first)
+    parameters = [_slider(each) for each in sliders(kind, (p.setup for p in offered))]
+    return common(kind, title, parameters, offered, first) | {
         "equations": [_equation(each) for each in _equations(kind)],
         "tour": [vars(step) for step in TOURS[kind]()],
     }

@@ -23,7 +23,7 @@ def player(figures: Mapping[str, Sequence[Motion]]) -> str:
     Raises RigidtopError where three.js is not installed.
     """
     presets: dict[str, list[Preset]] = {kind: [] for kind in TITLES}
-    shown: dict[str, list[tuple[str, str, str]]] = {}
+    options: dict[str, list[tuple[str, str, str]]] = {}
     for name, motions in figures.items():
         regimes = [motion.regime for motion in motions]
         for number, motion in enumerate(motions, 1):
@@ -33,14 +33,14 @@ def player(figures: Mapping[str, Sequence[Motion]]) -> str:
             title = name.replace("-", " ").capitalize()
             preset = own_preset(motion, f"{name}-{number}", title, "The motion of the figure.")
             presets[preset.setup.kind].append(preset)
-            shown.setdefault(name, []).append((preset.setup.kind, preset.name, words))
-    if not shown:
+            options.setdefault(name, []).append((preset.setup.kind, preset.name, words))
+    if not options:
         return ""
     page = gzip.compress(document("Live", "{{data}}").encode(), mtime=0)
-    parts = [_json("live-motions", shown)]
-    for kind, found in presets.items():
-        if found:
-            parts.append(_json(f"live-{kind}", data(kind, TITLES[kind], tuple(found), found[0])))
+    parts = [_json("live-motions", options)]
+    for kind, group in presets.items():
+        if group:
+            parts.append(_json(f"live-{kind}", data(kind, TITLES[kind], tuple(group), group[0])))
     parts.append(f'<script type="text/plain" id="live-page">{b64encode(page).decode()}</script>')
     script = (FOLDER / "player.js").read_text("utf-8")
     style = _text(f"<style>{(FOLDER / 'player.css').read_text('utf-8')}</style>")

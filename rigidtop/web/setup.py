@@ -95,8 +95,8 @@ def setup_of(motion: Motion) -> Setup:
     body = motion.body
     theta, phi, psi = _angles(motion)
     if isinstance(body, FreeBody):
-        made = free(body.moments, motion.omega)
-        return Setup(FREE, {**made.values, "theta": theta, "phi": phi, "psi": psi})
+        setup = free(body.moments, motion.omega)
+        return Setup(FREE, {**setup.values, "theta": theta, "phi": phi, "psi": psi})
     if isinstance(body, HeavyTop):
         centre = (0.0, 0.0, body.R)
     elif isinstance(body, HeavyBody):

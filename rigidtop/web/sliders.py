@@ -80,9 +80,9 @@ FREE_SLIDERS = (
 )
 
 
-def sliders(kind: str, shown: Iterable[Setup]) -> tuple[Slider, ...]:
+def sliders(kind: str, motions: Iterable[Setup]) -> tuple[Slider, ...]:
     """The sliders of a page, long enough for all that it shows."""
-    setups = tuple(shown)
+    setups = tuple(motions)
     return tuple(
         replace(
             slider,

@@ -154,8 +154,8 @@ def data(motion: SystemMotion, scene: Scene, title: str) -> Mapping[str, object]
         sliders |= {f"s{k}": (each | angle, start[k]) for k, each in enumerate(state)}
     parameters = [{**each, "name": name, "start": True} for name, (each, _) in sliders.items()]
     values = {name: value for name, (_, value) in sliders.items()}
-    given = Preset("given", "As given", "", Setup("system", values), (), "")
-    return common("system", title, parameters, (given,), given) | {
+    preset = Preset("given", "As given", "", Setup("system", values), (), "")
+    return common("system", title, parameters, (preset,), preset) | {
         "state": state,
         "start": [*start, *[0.0] * (len(scene.state) - 2 * count)],
         "given": motion.parameters,

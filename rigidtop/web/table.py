@@ -166,11 +166,11 @@ def said(run: SlidingTrajectory) -> str:
         "μ": (body.mu, ""),
         "γ": (body.viscosity, "N s/m"),
     }
-    given = ", ".join(f"{name} = {x:g} {unit}".strip() for name, (x, unit) in numbers.items() if x)
+    values = ", ".join(f"{name} = {x:g} {unit}".strip() for name, (x, unit) in numbers.items() if x)
     happens = [f"at t = {e.time:.4g} s {HAPPENS[e.kind]}" for e in run.events if e.kind in HAPPENS]
     more = f" and {len(happens) - 3} changes more" if len(happens) > 3 else ""
     course = f" {'; '.join(happens[:3])}{more}.".replace(" at", " At", 1) if happens else ""
     turned = float(run.theta[-1] - run.theta[0]) * 180 / pi
     way = "falls" if turned > 0 else "rises"
     last = f" In {run.t[-1]:.4g} s its axis {way} by {abs(turned):.3g}°." if abs(turned) > 1 else ""
-    return f"{given}.{course}{last} The trails are those of the contact, the centre and the axis."
+    return f"{values}.{course}{last} The trails are those of the contact, the centre and the axis."

@@ -71,11 +71,11 @@ class TermsOf:
     @cached_property
     def terms(self) -> tuple[Term, ...]:
         """The terms of both sides; what says only that a quantity is constant is none."""
-        found = [term for side in self.equation.sides for term in _terms(side)]
-        arrows = self.arrows or ("",) * len(found)
+        terms = [term for side in self.equation.sides for term in _terms(side)]
+        arrows = self.arrows or ("",) * len(terms)
         return tuple(
             Term(each, name, self.unit, arrow)
-            for each, name, arrow in zip(found, self.names, arrows, strict=True)
+            for each, name, arrow in zip(terms, self.names, arrows, strict=True)
         )
 
     @property

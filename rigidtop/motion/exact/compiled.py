@@ -139,9 +139,9 @@ def rows(solved: Solved, formula: Formula, times: Floats, *more: float) -> Float
     Raises RigidtopError if Numba is not installed.
     """
     run, count = _compiled(solved.written, formula)
-    found = np.empty((count, len(times)))
-    run((*solved.numbers, *more), np.ascontiguousarray(times), found)
-    return found
+    values = np.empty((count, len(times)))
+    run((*solved.numbers, *more), np.ascontiguousarray(times), values)
+    return values
 
 
 @cache
@@ -153,14 +153,14 @@ def _compiled(written: Written, formula: Formula) -> tuple[Callable[..., None], 
             "compiled=True needs Numba: pip install 'rigidtop[numba]', or leave it out"
         ) from None
     source, count = loop(Sums(), written, formula)
-    made = loaded(source, {"np": np, "rint": np.rint})["loop"]
-    return numba.njit(made, error_model="numpy", fastmath={"contract"}), count
+    function = loaded(source, {"np": np, "rint": np.rint})["loop"]
+    return numba.njit(function, error_model="numpy", fastmath={"contract"}), count
 
 
 def loop(kit: Trace, written: Written, formula: Formula) -> tuple[str, int]:
     """Source of the loop over the times, and how many rows it fills."""
     orbit = kit.inputs("o", written.orbit)
     results = leaves(formula(kit, orbit, kit.value("x[0, i]")))
-    body, shown = kit.lines(results)
-    body += [f"x[{k}, i] = {text}" for k, text in enumerate(shown)]
+    body, values = kit.lines(results)
+    body += [f"x[{k}, i] = {text}" for k, text in enumerate(values)]
     return LOOP.format(count=len(results), body="\n            ".join(body)), len(results)

@@ -145,8 +145,8 @@ class FreeOrbit:
     @property
     def _ends(self) -> NDArray[np.bool_]:
         """Whether it never comes back from the middle axis, as the regime has it."""
-        found = np.asarray(self.on_separatrix) & (self.m > 0)
-        return np.asarray(found & ~np.asarray(self.uniform))
+        ends = np.asarray(self.on_separatrix) & (self.m > 0)
+        return np.asarray(ends & ~np.asarray(self.uniform))
 
     @property
     def mean_precession(self) -> Real:

@@ -62,8 +62,8 @@ def states(solved: Solved, times: Floats, compiled: bool) -> TopState:
     orbit: HeavyOrbit = solved.orbit
     if not compiled:
         return orbit.states(times)
-    found = rows(solved, times)
-    return orbit.state({name: found[name] for name in CHANGING})
+    values = rows(solved, times)
+    return orbit.state({name: values[name] for name in CHANGING})
 
 
 def _whole(k: Kit, orbit: HeavyOrbit, t: Real) -> tuple[Real, ...]:
@@ -78,14 +78,14 @@ def solved(start: HeavyStart) -> Solved:
 
 
 def _solve(k: Kit, start: HeavyStart) -> HeavyOrbit:
-    given = _scaled(k, start)
-    r, s, steady = roots(k, given)
+    scaled = _scaled(k, start)
+    r, s, steady = roots(k, scaled)
     r, nome = _nome(k, s, r)
     a1 = k.where(r.x1 < NEAR_POLE * s.x0, s.c_up + s.b * r.x1, s.momentum + s.b * r.delta1)
     a2 = k.where(r.y2 < NEAR_POLE * s.y0, s.c_down - s.b * r.y2, s.momentum + s.b * r.delta2)
     first, second = _halves(k, s, r, nome, a1, a2)
     fixed = k.either(nome.still, steady)
-    arrives, passes = _specials(k, given)
+    arrives, passes = _specials(k, scaled)
     mod, swapped = nome.modulus, nome.swapped
     origin = k.where(swapped, mod.theta3, k.where(mod.circular, mod.theta4, mod.theta2))
     per_sine = origin / (mod.rate * cubic(mod.sines, mod.q))

@@ -167,7 +167,7 @@ def roots(k: Kit, start: Scaled) -> tuple[Roots, Scaled, Truth]:
     y2 = k.where(k.both(y2 < NEAR_POLE * y0, from_down > 0), product, y2)
     x2 = x0 + delta2
     through_up, through_down = x1 <= SMALLEST_PART * x2, y2 <= SMALLEST_PART * y1
-    found = Roots(
+    ordered = Roots(
         delta1=delta1,
         delta2=delta2,
         x1=k.where(through_up, 0.0, x1),
@@ -183,4 +183,4 @@ def roots(k: Kit, start: Scaled) -> tuple[Roots, Scaled, Truth]:
         c_down=k.where(through_down, 0.0, c_down),
     )
     steady = k.both(abs(g) <= ROUNDING * sizes, abs(v_theta) <= ROUNDING * start.speed)
-    return found, passing, steady
+    return ordered, passing, steady

@@ -204,11 +204,11 @@ def in_blocks(compute: Callable[[Floats], Sequence[Floats]], times: Floats) -> F
     if len(blocks) == 1:
         return np.stack(np.broadcast_arrays(*compute(times)))
     first = compute(blocks[0])
-    found = np.empty((len(first), len(times)))
+    rows = np.empty((len(first), len(times)))
     begin = 0
     for block in blocks:
         end = begin + len(block)
-        for row, values in zip(found, compute(block) if begin else first, strict=True):
+        for row, values in zip(rows, compute(block) if begin else first, strict=True):
             row[begin:end] = values
         begin = end
-    return found
+    return rows

@@ -135,8 +135,8 @@ def along(k: Kit, mod: Modulus, c: Cubic) -> Cubic:
         first = c[1] + (2 * c[2] + 3 * c[3] * mod.end) * mod.end
         return cubic(c, mod.end), -first, c[2] + 3 * c[3] * mod.end, -c[3]
 
-    made: Cubic = k.pick(mod.circular, lambda: c, from_end)
-    return made
+    result: Cubic = k.pick(mod.circular, lambda: c, from_end)
+    return result
 
 
 @dataclass(frozen=True)
@@ -420,5 +420,5 @@ def _at_end(
         denominator = k.where(swapped, 16 * q * mod.theta2**2, mod.theta3**2)
         return slope, k.over(value * value, denominator)
 
-    found = k.pick(mod.circular, circular, hyperbolic)
-    return found[0], found[1]
+    values = k.pick(mod.circular, circular, hyperbolic)
+    return values[0], values[1]

@@ -72,11 +72,11 @@ class Contact:
 
     def sliding(self, state: Sequence[Number], direction: tuple[Number, Number]) -> Moment:
         """The rates and the force while it slides in this direction, a unit vector."""
-        known = self.kinematics(state[:9])
-        axis, velocity, free = known[:3], known[3:6], known[6:]
-        found = self._slide((*axis, *state[7:9], *direction, *free))
-        force, slipping = (found[0], found[1], found[2]), (found[3], found[4])
-        return Moment(self._rate(state, velocity, force, slipping), force, slipping, found[5])
+        kinematics = self.kinematics(state[:9])
+        axis, velocity, free = kinematics[:3], kinematics[3:6], kinematics[6:]
+        solution = self._slide((*axis, *state[7:9], *direction, *free))
+        force, slipping = (solution[0], solution[1], solution[2]), (solution[3], solution[4])
+        return Moment(self._rate(state, velocity, force, slipping), force, slipping, solution[5])
 
     def slipping(self, state: Sequence[Number], otherwise: Direction) -> Moment:
         """The same in the direction of the slip, or `otherwise` where there is none."""
@@ -86,19 +86,19 @@ class Contact:
             direction = (state[7] / speed, state[8] / speed) if speed else otherwise
         else:
             speed = np.hypot(state[7], state[8])
-            known = np.where(speed > 0, speed, 1.0)
+            divisor = np.where(speed > 0, speed, 1.0)
             direction = (
-                np.where(speed > 0, state[7] / known, otherwise[0]),
-                np.where(speed > 0, state[8] / known, otherwise[1]),
+                np.where(speed > 0, state[7] / divisor, otherwise[0]),
+                np.where(speed > 0, state[8] / divisor, otherwise[1]),
             )
         return self.sliding(state, direction)
 
     def rolling(self, state: Sequence[Number]) -> Moment:
         """The rates and the force while the body rolls without slipping."""
-        known = self.kinematics(state[:9])
-        axis, velocity, free = known[:3], known[3:6], known[6:]
-        found = self._roll((*axis, *free))
-        force = found[0], found[1], found[2]
+        kinematics = self.kinematics(state[:9])
+        axis, velocity, free = kinematics[:3], kinematics[3:6], kinematics[6:]
+        solution = self._roll((*axis, *free))
+        force = solution[0], solution[1], solution[2]
         return Moment(self._rate(state, velocity, force, (0.0, 0.0)), force)
 
     def _rate(
@@ -122,9 +122,9 @@ class Contact:
 
     def struck(self, state: Sequence[float], slip: Direction) -> list[float]:
         """The state after the impulse at the contact that makes the slip what it is to be."""
-        known = self.kinematics(state[:9])
+        kinematics = self.kinematics(state[:9])
         change = slip[0] - state[7], slip[1] - state[8]
-        impulse = self._roll((*known[:3], -change[0], -change[1], 0.0))
+        impulse = self._roll((*kinematics[:3], -change[0], -change[1], 0.0))
         still = (0.0,) * 5
         pushed, left = (
             self._top((*state[:7], *still, *force)) for force in (impulse, (0.0, 0.0, 0.0))
@@ -155,13 +155,13 @@ class Contact:
         angles = np.linspace(-math.pi, math.pi, 361) + 0.01
         turning = [across(angle) for angle in angles]
         # Stable where a slip that points a little aside turns back.
-        found = [
+        directions = [
             brentq(across, angles[k], angles[k + 1])
             for k in range(len(angles) - 1)
             if turning[k] > 0 >= turning[k + 1]
         ]
         rates = []
-        for angle in found:
+        for angle in directions:
             d = math.cos(angle), math.sin(angle)
             v = self.sliding(state, d).slipping
             rates.append((d[0] * v[0] + d[1] * v[1], d))

@@ -119,8 +119,8 @@ class SlidingTop(Sliding):
 def _without_slip(body: SlidingTop, start: AnyStart) -> Pair:
     """The velocity of the centre of mass along x̂ and ŷ, −ω × ρ, if the contact does not slip."""
     state = [*attitudes.quaternions(start.attitude).tolist(), *start.omega, 0.0, 0.0]
-    known = Contact(body).kinematics(state)
-    return float(known[3]), float(known[4])
+    kinematics = Contact(body).kinematics(state)
+    return float(kinematics[3]), float(kinematics[4])
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,9 +197,9 @@ class SlidingMotion(Moving):
         )
         velocity, table = self.velocity, np.zeros((6, len(times)))
         table[2:4] = velocity[:, None] * times
-        found = self._trajectory(times, state, table, np.zeros(len(times), dtype=bool))
+        trajectory = self._trajectory(times, state, table, np.zeros(len(times), dtype=bool))
         # Without slip the velocity would be −ω × ρ.
-        return replace(found, slip=velocity - found.velocity[:, :2])
+        return replace(trajectory, slip=velocity - trajectory.velocity[:, :2])
 
     def integrate(
         self, t: ArrayLike, method: str = "DOP853", rtol: float = 1e-10, atol: float = 1e-12

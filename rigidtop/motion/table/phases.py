@@ -100,28 +100,28 @@ class ContactLaw:
         def speed(state: Sequence[Number]) -> Number:
             return np.hypot(state[7], state[8]) / contact.speed_unit
 
-        found: dict[str, Watch] = {LIFTS: lambda state: self.moment(state).force[2]}
+        watches: dict[str, Watch] = {LIFTS: lambda state: self.moment(state).force[2]}
         if body.fall < math.pi:
             floor = math.cos(body.fall)
-            found[FALLS] = lambda state: 1 - 2 * (state[1] ** 2 + state[2] ** 2) - floor
+            watches[FALLS] = lambda state: 1 - 2 * (state[1] ** 2 + state[2] ** 2) - floor
         if self.rolling:
-            found[SLIPS] = lambda state: contact.reserve(self.moment(state))
-            return found
-        found[JAM] = lambda state: self.moment(state).divisor - JAMMED
+            watches[SLIPS] = lambda state: contact.reserve(self.moment(state))
+            return watches
+        watches[JAM] = lambda state: self.moment(state).divisor - JAMMED
         if self.slow:
-            found[STANDS] = lambda state: speed(state) - STANDSTILL
-            found[QUICKENS] = lambda state: SLOW - speed(state)
+            watches[STANDS] = lambda state: speed(state) - STANDSTILL
+            watches[QUICKENS] = lambda state: SLOW - speed(state)
         elif body.mu > 0:
-            found[SLOWS] = lambda state: speed(state) - SLOW / 2
-        return found
+            watches[SLOWS] = lambda state: speed(state) - SLOW / 2
+        return watches
 
     def tolerances(self, atol: float) -> Floats:
         """The absolute tolerance of each variable of the state."""
-        body, found = self.contact.body, atol * units(self.contact.body)
+        body, tolerances = self.contact.body, atol * units(self.contact.body)
         if body.mu > 0 and not self.rolling:
             least = STANDSTILL if self.slow else SLOW
-            found[7:9] = self.contact.speed_unit * min(atol, SLIP_TOLERANCE * least)
-        return found
+            tolerances[7:9] = self.contact.speed_unit * min(atol, SLIP_TOLERANCE * least)
+        return tolerances
 
     def solved(self, state: Floats, span: tuple[float, float], accuracy: Accuracy) -> Any:
         """What `solve_ivp` finds until the first event that it sees."""

@@ -164,8 +164,8 @@ class Nutation:
         whole = 2 * np.pi * turns
 
         def counted(line: SineSeries) -> Floats:
-            made: Floats = line.slope * whole + line.at(chi) - line.at(first)
-            return made
+            angle: Floats = line.slope * whole + line.at(chi) - line.at(first)
+            return angle
 
         safe = np.where(sine > 0, sine, 1.0)
         slope = self.slope(upright, hanging)

@@ -84,8 +84,8 @@ class SlidingTrajectory(TopTrajectory):
         """The point of the table that is touched, shape (N, 3), in m."""
         body = self.motion.body
         below = self.position - (body.R - body.tip) * self.e3
-        made: Floats = below * np.array([1.0, 1.0, 0.0])
-        return made
+        place: Floats = below * np.array([1.0, 1.0, 0.0])
+        return place
 
     @cached_property
     def _force(self) -> Floats:
@@ -105,8 +105,8 @@ class SlidingTrajectory(TopTrajectory):
     @property
     def normal_force(self) -> Floats:
         """N, with which the table pushes upwards, shape (N,), in N."""
-        made: Floats = self._force[2]
-        return made
+        normal: Floats = self._force[2]
+        return normal
 
     @property
     def friction_force(self) -> Floats:
@@ -118,8 +118,8 @@ class SlidingTrajectory(TopTrajectory):
         """½MV² + ½ Σ λₖωₖ² + Mgz, kinetic and potential, shape (N,), in J; zero on the table."""
         body = self.motion.body
         kinetic = self.omega**2 @ np.array(body.moments) + body.M * np.sum(self.velocity**2, axis=1)
-        made: Floats = kinetic / 2 + body.M * body.g * self.position[:, 2]
-        return made
+        energy: Floats = kinetic / 2 + body.M * body.g * self.position[:, 2]
+        return energy
 
     @property
     def jellett(self) -> Floats:
