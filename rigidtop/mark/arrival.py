@@ -16,6 +16,7 @@ from sympy import Abs, Expr, ImmutableMatrix, Integer, MatrixBase, Rational, Sym
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import Context, Habits
 from rigidtop.judge.jets import TIME, Jet, jet_of, jets, rate, symbol
+from rigidtop.judge.letters import FREQUENCIES
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.names import component_of, vector_of
 from rigidtop.judge.sides import EQUALS, NEARLY, has_components
@@ -53,6 +54,7 @@ def is_reached(goal: Statement, said: Sequence[Statement], contexts: Iterable[Co
     """Whether what was said comes to a statement in one of some contexts, in other names too."""
     contexts = tuple(contexts)
     given = frozenset().union(*(context.given for context in contexts))
+    said = [*said, *_frequencies(goal, said, given)]
     named = [*islice(_in_names_of(goal, said, given), MOST_NAMES)]
     if there := _at_places(goal, said, contexts):
         named.append(there)
@@ -96,6 +98,33 @@ def _at_places(
         return n.mapped(side, lambda x: values.get(x, x))
 
     return [replace(x, sides=tuple(map(put, x.sides))) for x in said] if values else []
+
+
+def _frequencies(
+    goal: Statement, said: Sequence[Statement], given: frozenset[Letter]
+) -> Iterator[Statement]:
+    """That ω² is k after ẍ = −k x, where ω is the frequency for which a goal is one."""
+    names = [x for x in n.letters(goal.sides[0]) - given if x.base in FREQUENCIES and x.sub]
+    for each in said:
+        rates = {x for x in n.walked(each.sides[0]) if isinstance(x, n.Rate) and x.order == 2}
+        if len(rates) != 1 or len(each.sides) != 2:
+            continue
+        [acceleration] = rates
+        left, right = each.sides
+        if not _is_multiple(right, acceleration.of):
+            continue
+        place = n.replaced(left, acceleration, acceleration.of)
+        for name in names:
+            square = n.Negative(n.Quotient(n.Group(right), n.Group(place)))
+            yield replace(each, sides=(n.Power(name, n.Number("2")), square))
+
+
+def _is_multiple(side: Node, place: Node) -> bool:
+    """Whether a side is a product with a letter that stands nowhere else in it."""
+    while isinstance(side, n.Negative | n.Group):
+        side = side.of
+    factors = side.factors if isinstance(side, n.Product) else ()
+    return place in factors and sum(x == place for x in n.walked(side)) == 1
 
 
 def _with_name(side: Node, own: Letter, letter: Letter) -> Node:

@@ -131,7 +131,7 @@ def task(start: str, goal: str, subject: Subject | None = None) -> Task:
         raise RigidtopError(f"{refused}: no model of the collection knows what {goal} is about")
     contexts = contexts or (_from_pages(start, goal, subject),)
     if not _is_numbered(goal, pages):
-        goals = _otherwise(goals, given, contexts[0], _calls(goal, pages))
+        goals = _otherwise(_both_roots(goals), given, contexts[0], _calls(goal, pages))
     # What letters are called holds for whatever they are made of.
     known = frozenset().union(*(context(model).given for model in used))
     own = [x for x in called if x.sides[0] not in known]
@@ -236,6 +236,20 @@ def _calls(goal: str, pages: Lecture) -> tuple[Statement, ...]:
     called = (pages.lines[id] for id in pages.lines if id in wanted)
     ids = [line.id for line in called if line.move is not None and line.move.verb == "call"]
     return tuple(x for id in ids for x in stated(id, pages) if x.relations == ("=",))
+
+
+def _both_roots(goals: tuple[Together, ...]) -> tuple[Together, ...]:
+    """Goals of which what is said of Ω₊ and of Ω₋ are one goal, where both are."""
+    roots: dict[str, list[Together]] = {"+": [], "-": []}
+    for each in goals:
+        match each:
+            case (Statement((Letter(sub=sub), *_)),) if sub[-1:] in roots:
+                roots[sub[-1]].append(each)
+    if not all(roots.values()):
+        return goals
+    single = [each for both in roots.values() for each in both]
+    both = tuple((*upper, *lower) for upper in roots["+"] for lower in roots["-"])
+    return (*(each for each in goals if each not in single), *both)
 
 
 def _otherwise(

@@ -138,6 +138,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"\bat the (?:time|moment|instant) §[^§]*",
         r"\bfrom (?:then|there|that moment) on\b[^§]*|\bvon da an\b[^§]*|\bdès lors\b[^§]*",
         r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
+        r"\b(?:rotation|motion|body|top) (?:starts|begins) (?:about|around|along|with)\b.{0,40}",
         r"\b(?:initially|at first|(?<!hangs )(?<!is )(?<!are )(?<!lies )at rest)\b[^§,]*,?",
         r"\b(?:am (?:Anfang|Ende|Boden)|[ai]m (?:Perihel|Aphel|Perigäum|Apogäum|Umkehrpunkt"
         r"|Scheitel|tiefsten Punkt|höchsten Punkt"

@@ -68,7 +68,8 @@ RIGHT = {
         "3.57 two-roots",
         r"For large $\omega_3$ use $\sqrt{1-x}\approx1-\frac x2$, "
         r"$x=\frac{4\lambda_1MgR\cos\theta}{\lambda_3^2\omega_3^2}$, in the root. Hence "
-        r"$$\Omega_-\approx\frac{MgR}{\lambda_3\omega_3}$$",
+        r"$$\Omega_-\approx\frac{MgR}{\lambda_3\omega_3},\qquad"
+        r"\Omega_+\approx\frac{\lambda_3\omega_3}{\lambda_1\cos\theta}$$",
     ),
     "the tensor of inertia by its letter, blank off the diagonal": (
         "3.38 3.39",
@@ -388,7 +389,7 @@ def test_what_is_large_is_so_in_the_displays_behind_it(between):
         for x in (r"\lambda_3\omega_3}{\lambda_1\cos\theta", "MgR}{\\lambda_3\\omega_3")
     )
     ends = task("3.57", "two-roots")
-    assert mark(source + right, ends).passed
+    assert mark(source + right, ends).first_wrong is None
     assert mark(source + wrong, ends).first_wrong.said.startswith("Ω₊")
 
 

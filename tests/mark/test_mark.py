@@ -78,6 +78,10 @@ def test_any_goal_to_which_the_pages_lead(start, goal, right, wrong):
 
 def test_one_root_of_two_does_not_arrive():
     assert not mark(rf"$$\Omega_- = {SLOW}$$", "3.57", "two-roots").arrives
+    alone = (
+        r"For large $\omega_3$ $$\Omega_+ \approx \frac{\lambda_3\omega_3}{\lambda_1\cos\theta}$$"
+    )
+    assert not mark(alone, "3.57", "two-roots").arrives
 
 
 def matrix(first=r"c_\phi c_\theta c_\psi - s_\phi s_\psi"):
