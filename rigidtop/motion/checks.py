@@ -22,6 +22,9 @@ TOLERANCE = 1e-12
 LARGEST = 1e100
 """Products of the few numbers that make an energy or a rate stay below the largest float."""
 
+MOST = 10**12
+"""Nothing is counted farther."""
+
 SMALLEST = 1e-100
 """Their quotients too, when moments, masses, lengths and the like are above this."""
 
@@ -65,7 +68,15 @@ def whole(name: str, value: object, least: int) -> int:
     """An integer, of Python or NumPy."""
     if not isinstance(value, (int, np.integer)) or isinstance(value, bool) or value < least:
         raise RigidtopError(f"{name} must be a whole number from {least}, not {in_one_line(value)}")
+    if value > MOST:
+        raise RigidtopError(f"{name} must be at most {MOST:g}, not {in_one_line(value)}")
     return int(value)
+
+
+def callback(name: str, value: object) -> None:
+    """Raises RigidtopError for what is neither None nor can be called."""
+    if value is not None and not callable(value):
+        raise RigidtopError(f"{name} must be a function, not {in_one_line(value)}")
 
 
 def _not_tiny(name: str, value: float) -> float:

@@ -226,6 +226,7 @@ def _in_chunks(
     progress: Progress | None,
 ) -> list[Any]:
     """`states` of motions and times, chunk by chunk; each result of the common shape, and more."""
+    checks.callback("progress", progress)
     try:
         whole = np.broadcast_shapes(times.shape, shape)
     except ValueError:

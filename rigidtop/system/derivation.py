@@ -17,6 +17,7 @@ import sympy
 from sympy import Expr, Symbol
 
 from rigidtop.errors import RigidtopError
+from rigidtop.parameters import in_one_line
 from rigidtop.proof.derivation import Judged, Line
 from rigidtop.proof.equation import Equation, Partial, Rate
 from rigidtop.proof.lecture import Block, Heading, Lecture, Prose, Shown, Text
@@ -134,6 +135,8 @@ def derivation(system: Derived, section: str = "") -> Derivation:
     """The derivation of a system's equations: see `System.derivation`."""
     for x in own_functions([system.plain, *system.rules, *system.generalised_forces]):
         raise RigidtopError(f"L has the function {x}: put in what it is before you derive")
+    if not isinstance(section, str):
+        raise RigidtopError(f'section must be a text such as "3.1", not {in_one_line(section)}')
     writer = _Writer(system, section)
     writer.write()
     page = Text("the derivation", NAME, tuple(writer.blocks))

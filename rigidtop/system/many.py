@@ -129,6 +129,7 @@ class SystemMotions(Sequence[SystemMotion]):
         Raises RigidtopError where a motion does not arrive.
         """
         times = checks.times(t)
+        checks.callback("progress", progress)
         if not len(self):
             raise RigidtopError("there are no motions: an array that was given is empty")
         accuracy = self.system.numeric.accuracy(method, rtol, atol)

@@ -41,6 +41,15 @@ TURN = Rotation.identity()
 @pytest.mark.parametrize(
     ("made", "said"),
     [
+        (lambda: SPRING.derivation(section=np.zeros(3)), "section must be a text such as"),
+        (
+            lambda: SPRING.motions(NUMBERS, [[1.0]]).integrate([1], progress=3),
+            "progress must be a",
+        ),
+        (
+            lambda: SPRING.fit([0, 1], {x: [0, 1]}, {k: 1}, known={m: 1}, starts=10**400),
+            "starts must be at most 1e",
+        ),
         (lambda: rt.System("m*u**2/2", [x], [u]), "L must be an expression of SymPy, not 'm"),
         (lambda: rt.System(oo, [x], [u]), "L must be finite"),
         (lambda: rt.System(u**2, [], []), "a system needs a coordinate"),
