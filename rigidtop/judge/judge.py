@@ -233,14 +233,14 @@ class Judge:
 
         def rank(judgement: Judgement) -> tuple[int, int]:
             outcome, after = judgement
-            if outcome.verdict in order:
-                return order.index(outcome.verdict), 0
-            left, right, *_ = statement.sides
-            question = self._question(left, right, situation, after, False)
             if outcome.verdict != PREMISE:
-                return 2, 0
+                return order.index(outcome.verdict) if outcome.verdict in order else 2, 0
+            left, right, *_ = statement.sides
             new = letters_in(statement) - context.letters
-            return 2, sum(bool(letters_of(x) & new) for x in question.worlds.zeros)
+            with suppress(UnclearError):
+                zeros = self._question(left, right, situation, after, False).worlds.zeros
+                return 2, sum(bool(letters_of(x) & new) for x in zeros)
+            return 2, 0
 
         return min(judgements, key=rank)
 

@@ -46,7 +46,7 @@ def judged(question: Question) -> Judgement:
     if scaling is None or not question.worlds.count:
         return unseen, context
     apart = [_grows(question, pair, size, scaling, question.worlds) for pair in question.both]
-    if not any(x is not False for x in apart):
+    if all(x is False for x in apart):
         outcome = Outcome(ASSUMING, f"for {scaling.words}", question.rests_on)
         return replace(outcome, conditions=(scaling.words,)), context
     wrong = slip(

@@ -95,10 +95,10 @@ def _each_meant(each: Statement, facts: Collection[Letter]) -> Iterator[Statemen
     if len(several) > 1 and not all(letters(x) & {*facts} - letters(each) for x in several):
         several = [each]
     for one in several:
-        yield from _for_each_axis(_tried(one, facts), facts)
+        yield from _for_each_axis(_trial(one, facts), facts)
 
 
-def _tried(each: Statement, facts: Collection[Letter]) -> Statement:
+def _trial(each: Statement, facts: Collection[Letter]) -> Statement:
     """The motion that x ∝ exp(κ t) tries, or x = Re A exp(κ t): of linear laws it obeys those."""
     match each.sides:
         case (Letter() as name, motion) if each.relations == ("∝",) and CLOCK in n.letters(motion):

@@ -28,6 +28,7 @@ from rigidtop.read.prose import prose_of
 from rigidtop.read.walk import Formula
 
 _OPEN_ENDED = re.compile(r"(?:=|≈|\\(?:equiv|approx|simeq))\s*\Z")
+# A limit of which words say the place: b → very large, x → zero.
 _TENDING = re.compile(r"(?:→|\\(?:to|rightarrow))\s*\Z")
 _FAR = re.compile(
     r"\s*(?:(?:very|sehr|très) )?(?:large|infinity|unendlich|groß|grand|l.infini)\b", re.I
