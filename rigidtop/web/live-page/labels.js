@@ -3,8 +3,12 @@ const SIZE = 0.031;
 const SMALLEST = 16;
 /** The same where the page is presented to a room. */
 const SMALLEST_SHOWN = 28;
-/** In units of that size: letters nearer than this push each other away. */
+/** In units of that size: letters nearer than this push each other away, words from farther. */
 const APART = 1.06;
+/** Of how many letters a word is taken to be at most. */
+const WIDEST = 2;
+/** How often, since what gives way to one comes near another. */
+const ROUNDS = 3;
 /** How far letters are beside the tips they name. */
 const ASIDE = 0.94;
 
@@ -37,6 +41,7 @@ export function createLabels(/** @type {HTMLElement} */ container) {
       const label = {
         element,
         faint,
+        wide: Math.min(WIDEST, text.replace(/[₁-₃]/, "").length),
         shown: false,
         wanted: false,
         at: new THREE.Vector3(),
@@ -81,7 +86,7 @@ export function createLabels(/** @type {HTMLElement} */ container) {
         label.x = within(originX + dx + beyond * x + aside * Math.abs(y), width);
         label.y = within(originY + dy + beyond * y + aside * up * x, height);
       }
-      separate(all, APART * em);
+      for (let round = 0; round < ROUNDS; round++) separate(all, APART * em);
       for (const label of all) {
         [label.x, label.y] = [within(label.x, width), within(label.y, height)];
         show(label);
@@ -99,6 +104,7 @@ export function createLabels(/** @type {HTMLElement} */ container) {
  * @typedef {object} Label
  * @property {HTMLElement} element
  * @property {boolean} faint
+ * @property {number} wide in letters
  * @property {boolean} shown
  * @property {boolean} wanted
  * @property {THREE.Vector3} at where in the scene
@@ -116,19 +122,20 @@ function separate(/** @type {Label[]} */ labels, /** @type {number} */ apart) {
     for (let j = i + 1; j < labels.length; j++) {
       const two = labels[j];
       if (!two.wanted) continue;
-      let dx = two.x - one.x;
+      const wide = (one.wide + two.wide) / 2;
+      let dx = (two.x - one.x) / wide;
       let dy = two.y - one.y;
       let distance = Math.hypot(dx, dy);
       if (distance >= apart) continue;
       if (two.faint && !one.faint) {
-        two.x = one.x + (dx < 0 ? -1 : 1) * Math.sqrt(apart * apart - dy * dy);
+        two.x = one.x + (dx < 0 ? -wide : wide) * Math.sqrt(apart * apart - dy * dy);
         continue;
       }
       if (distance < 0.5) [dx, dy, distance] = [1, 0, 1];
       const push = (apart - distance) / distance / 2;
-      two.x += push * dx;
+      two.x += push * dx * wide;
       two.y += push * dy;
-      one.x -= push * dx;
+      one.x -= push * dx * wide;
       one.y -= push * dy;
     }
   }
