@@ -36,6 +36,7 @@ html_title = "rigidtop"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_show_sphinx = False
+html_theme_options = {"top_of_page_buttons": []}
 
 # Docstrings mark code by single backticks.
 default_role = "code"
@@ -115,5 +116,24 @@ def _as_it_stands(app, what, name, obj, options, lines):
             lines[k] = "`".join(parts)
 
 
+LABELS = {
+    'class="caption" role="heading"': 'class="caption" role="heading" aria-level="2"',
+    '<aside class="sidebar-drawer">': '<aside class="sidebar-drawer" aria-label="Site">',
+    '<aside class="toc-drawer': '<aside aria-label="On this page" class="toc-drawer',
+    "<pre>": '<pre tabindex="0">',  # what is wide scrolls, also by the keys
+}
+"""What the theme leaves without a name, for those who hear the page."""
+
+
+def _labelled(app, error):
+    for page in [] if error else Path(app.outdir).rglob("*.html"):
+        words = page.read_text("utf-8")
+        if 'id="furo-main-content"' in words:
+            for bare, named in LABELS.items():
+                words = words.replace(bare, named)
+            page.write_text(words, "utf-8")
+
+
 def setup(app):
     app.connect("autodoc-process-docstring", _as_it_stands)
+    app.connect("build-finished", _labelled)
