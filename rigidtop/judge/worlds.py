@@ -363,8 +363,19 @@ def _without_factors(equation: Expr, parameters: Collection[Symbol]) -> Expr:
 
 def _with_other_factors(equation: Expr, zeros: Collection[Symbol]) -> Expr:
     """What else makes an equation hold than that some letters vanish; itself if nothing does."""
-    other = _without_factors(equation, zeros)
+    here = [x for x in zeros if x in symbols(equation) and _is_multiple(equation, x)]
+    other = _without_factors(equation, here) if here else equation
     return other if symbols(other) else equation
+
+
+def _is_multiple(expression: Expr, x: Symbol) -> bool:
+    """Whether each of its terms has the factor `x`, as they are written."""
+    if expression.is_Add:
+        return all(_is_multiple(y, x) for y in expression.args)
+    if expression.is_Mul:
+        return any(_is_multiple(y, x) for y in expression.args)
+    base, exponent = expression.as_base_exp()
+    return base == x and bool(exponent.is_positive)
 
 
 @lru_cache(maxsize=1_000)
