@@ -59,7 +59,8 @@ _MARK = re.compile(
     rf"(?:(?P<exercise>(?:{_EXERCISES})[ ~]*(?:\d|[A-Z]\b|\())"
     rf"|(?P<case>(?:{_CASES})[ ~]*(?:\d|[A-Z]\b|\())"
     r"|(?P<letter>\([a-hivx]{1,4}\)|[a-h]\)(?=[ \t]))|(?(bold)(?P<title>(?=\S))|(?!)))"
-    r"|^(?P<indent>[ \t]*)(?P<entry>(?:[-*+]|(?P<count>\d{1,3})[.)])[ \t]+(?=\S)"
+    r"|^(?P<indent>[ \t]*)(?P<entry>[-*+][ \t]+(?=\S)"
+    r"|(?P<count>\d{1,3})[.)](?:[ \t]+(?=\S)|[ \t]*$)"
     r"|<tr\b[^>\n]{0,200}>|<li\b[^>\n]{0,200}>|\|(?=[^\n]*\|[ \t]*$))"
     r"|(?P<text>\n[ \t]*\n(?P<left>[ \t]*)(?![a-h]\)[ \t])(?=[^\W\d_]))",
     re.M,
