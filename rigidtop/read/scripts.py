@@ -76,7 +76,9 @@ def _superscripted(grammar: Grammar, node: Node, group: Sequence[Token]) -> Node
     if text in ("*", "⋆", "†") and isinstance(node, Letter):
         return replace(node, mark="star" if text != "†" else "dagger")
     named = len(group) == 1 and group[0].kind in ("words", "upright") and len(text) > 1
-    number = len(group) == 3 and group[0].text == "("
+    # Nobody writes a power for 1: in R⁰₁ zero is a frame, in x⁰ an order, as in x⁽⁰⁾.
+    zero = text == "0" and isinstance(node, Letter) and node != Letter("e")
+    number = zero or (len(group) == 3 and group[0].text == "(")
     if named or number or text in ("+", "-", "±", "∓", "⊥", "∥"):
         indexed = with_index(node, text if not number else f"({text.strip('()')})")
         if indexed is not None:
