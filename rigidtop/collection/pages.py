@@ -29,7 +29,7 @@ from rigidtop.proof import units
 from rigidtop.proof.lecture import Fault, Heading, Illustration, Prose, Shown, Text
 from rigidtop.proof.page import Claim, Page
 from rigidtop.read.statements import statements
-from rigidtop.read.tables import Row, rows
+from rigidtop.read.tables import TableRow, rows
 from rigidtop.terminal.files import text_of
 from rigidtop.theory.lettered import Lettered, in_order, matrix, positive, real
 from rigidtop.theory.symbols import Glyph
@@ -170,7 +170,7 @@ _FIXED = ("positive", "number", "fixed frame")
 """The kinds that do not change in time."""
 
 
-def _row(row: Row) -> Iterator[tuple[Lettered, str]]:
+def _row(row: TableRow) -> Iterator[tuple[Lettered, str]]:
     """The symbols that a row declares, those for rates too, each with its kind."""
     if len(row.cells) != 4:
         raise RigidtopError("a letter has four columns: letter, meaning, unit, kind")

@@ -148,10 +148,10 @@ def _limited(job: Callable[[], Record]) -> Record:
 
 def _audit(text: str) -> Record:
     from rigidtop.collection import built_in
-    from rigidtop.read.project import Source
+    from rigidtop.read.project import TextFile
 
     try:  # a name that is not LaTeX's: no other file is taken in
-        findings = audited((Source(Path("text.md"), text),), built_in()).findings
+        findings = audited((TextFile(Path("text.md"), text),), built_in()).findings
     except NoFormulasError:
         raise RigidtopError("no formulas between dollars or the like that say something") from None
     return {"findings": [each.record for each in findings], "summary": summary(findings)}

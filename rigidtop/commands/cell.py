@@ -29,7 +29,7 @@ from rigidtop.mark.cell import Answered, register, table
 from rigidtop.mark.cell import answer as answer_to
 from rigidtop.mark.exercise import answered
 from rigidtop.proof.exercise import Rubric
-from rigidtop.read.project import Source
+from rigidtop.read.project import TextFile
 
 RECORD = "application/vnd.rigidtop.audit+json"
 """The kind of output in which a notebook keeps what `rigidtop audit --json` says."""
@@ -80,7 +80,7 @@ def audit(line: str, cell: str) -> Audited:
     if len(folders) > 1 or not all(map(is_folder, folders)):
         raise RigidtopError("%%audit, or %%audit FOLDER/ with a collection of one's own")
     with opened(folders) as (collection, _):
-        return Audited(audited((Source(Path("the cell"), cell),), collection))
+        return Audited(audited((TextFile(Path("the cell"), cell),), collection))
 
 
 def answer(line: str, cell: str, tries: Counter[str] | None = None) -> Answered:

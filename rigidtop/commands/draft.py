@@ -15,7 +15,17 @@ from rigidtop.commands.notes import NoFormulasError, Notes, audited
 from rigidtop.judge.carried import Older
 from rigidtop.judge.judge import Judge
 from rigidtop.judge.outcome import UNDECIDED, Outcome
-from rigidtop.judge.text import Asked, Known, Reading, Row, Step, reading, rows_of, start, step
+from rigidtop.judge.text import (
+    Asked,
+    Knowledge,
+    Reading,
+    Row,
+    TextStep,
+    reading,
+    rows_of,
+    start,
+    step,
+)
 from rigidtop.read.project import sources, whole
 
 if TYPE_CHECKING:
@@ -50,8 +60,8 @@ class History:
 
     source: tuple[str, Macros] | None = None
     read: Reading | None = None
-    steps: list[Step] = field(default_factory=list)
-    whole: tuple[Reading, list[Step]] | None = None
+    steps: list[TextStep] = field(default_factory=list)
+    whole: tuple[Reading, list[TextStep]] | None = None
 
     def rows(self, text: str, macros: Macros, until: float, refusal: Refusal) -> tuple[Row, ...]:
         """Each statement as it is judged, in order.
@@ -62,7 +72,7 @@ class History:
         older = [*self._begin(read)]
         judge = Judge()
 
-        def made(asked: Asked) -> Step:
+        def made(asked: Asked) -> TextStep:
             behind = self.steps[-1].behind if self.steps else start(read)
             as_before = next((x for each in older if (x := each.carried(self.steps))), None)
             if as_before is not None:
@@ -86,7 +96,7 @@ class History:
         self.source = text, macros
         return read
 
-    def _as_they_were(self, older: Sequence[Older]) -> Iterator[Step]:
+    def _as_they_were(self, older: Sequence[Older]) -> Iterator[TextStep]:
         """The steps that are still to be made, where there were some."""
         for place in range(len(self.steps), len(self.read.asked) if self.read else 0):
             yield from (x for each in older[-1:] if (x := each.as_it_was(place)) is not None)
@@ -107,10 +117,10 @@ class History:
         self.read, self.steps = read, []
 
 
-def _refused(asked: Asked, why: str, behind: Known) -> Step:
+def _refused(asked: Asked, why: str, behind: Knowledge) -> TextStep:
     """What is left open; behind it the same is known as before."""
     outcome = Outcome(UNDECIDED, why)
-    return Step(
+    return TextStep(
         asked, Row(asked.line, asked.statement, outcome, asked.passage, asked.number), behind
     )
 

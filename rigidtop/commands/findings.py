@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from rigidtop.judge.text import Row
     from rigidtop.mark.numbered import Copy
     from rigidtop.proof.page import Claim
-    from rigidtop.read.project import Source, Whole
+    from rigidtop.read.project import TextFile, Whole
     from rigidtop.tree.statement import Statement, Unread
 
 
@@ -167,7 +167,7 @@ Placing = Callable[[int], tuple[FilePlace, int]]
 """What tells the line and the column of a position in the files that belong together."""
 
 
-def placing(whole: Whole, top: Source) -> Placing:
+def placing(whole: Whole, top: TextFile) -> Placing:
     from rigidtop.read.walk import places
 
     line_of = cache(lambda source: places(source.text))
@@ -185,7 +185,7 @@ def placing(whole: Whole, top: Source) -> Placing:
 
 
 def of_rows(
-    rows: Sequence[Row], above: Sequence[Row], whole: Whole, top: Source
+    rows: Sequence[Row], above: Sequence[Row], whole: Whole, top: TextFile
 ) -> Iterator[AuditFinding]:
     """What becomes of some statements of the files that belong together, in order.
 

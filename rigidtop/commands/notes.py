@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rigidtop.judge.text import Row
     from rigidtop.mark.numbered import Copy
     from rigidtop.read.macros import Macros
-    from rigidtop.read.project import Source
+    from rigidtop.read.project import TextFile
 
     Judging = Callable[[str, Macros, float], tuple[Row, ...]]
 
@@ -39,12 +39,12 @@ class Notes:
     `copies` are the equations under numbers of the collection.
     """
 
-    files: tuple[Source, ...]
+    files: tuple[TextFile, ...]
     copies: tuple[Copy, ...]
     findings: tuple[AuditFinding, ...]
 
     @property
-    def source(self) -> Source:
+    def source(self) -> TextFile:
         return self.files[0]
 
     @cached_property
@@ -60,7 +60,7 @@ class Notes:
 
 
 def audited(
-    files: tuple[Source, ...], collection: Collection, judge: Judging | None = None
+    files: tuple[TextFile, ...], collection: Collection, judge: Judging | None = None
 ) -> Notes:
     """Files that belong together, judged by themselves and by a collection.
 

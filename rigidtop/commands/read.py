@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from rigidtop.notation import Notation
     from rigidtop.read.labels import Counted
     from rigidtop.read.macros import Macros
-    from rigidtop.read.project import Source
+    from rigidtop.read.project import TextFile
     from rigidtop.read.walk import Formula
     from rigidtop.tree.statement import Statement
 
@@ -45,7 +45,7 @@ class FileEquation:
     `statement` is there where its letters are the file's own.
     """
 
-    source: Source
+    source: TextFile
     position: int
     number: str = ""
     equation: str | None = None
@@ -85,8 +85,8 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _equations(
-    source: Source,
-    files: tuple[Source, ...],
+    source: TextFile,
+    files: tuple[TextFile, ...],
     notation: Notation | None,
     macros: Macros,
     rows: Sequence[Counted],
@@ -134,7 +134,7 @@ def _equations(
         yield FileEquation(source, at, problem=reason)
 
 
-def _in_own_letters(source: Source, formula: Formula, macros: Macros) -> Iterator[FileEquation]:
+def _in_own_letters(source: TextFile, formula: Formula, macros: Macros) -> Iterator[FileEquation]:
     """What a formula states where every letter is one of the file's own."""
     from rigidtop.read.statements import statements
     from rigidtop.tree.plain import plain
@@ -153,7 +153,7 @@ def _in_own_letters(source: Source, formula: Formula, macros: Macros) -> Iterato
 
 
 def _in_letters_of(
-    source: Source, formula: Formula, notation: Notation, macros: Macros
+    source: TextFile, formula: Formula, notation: Notation, macros: Macros
 ) -> Iterator[FileEquation]:
     """What a formula states in the letters of a table."""
     from rigidtop.read.equations import equations
@@ -171,7 +171,7 @@ def _in_letters_of(
 # --- Telling -------------------------------------------------------------------------------------
 
 
-def _records(equations: Sequence[FileEquation], files: Sequence[Source]) -> list[dict[str, Any]]:
+def _records(equations: Sequence[FileEquation], files: Sequence[TextFile]) -> list[dict[str, Any]]:
     """One object an equation, as ``--json`` has them."""
     from functools import cache
 

@@ -41,7 +41,7 @@ def draw_toppling(axes: Axes, motion: TopMotion) -> None:
         pen.Curve((after, np.degrees(motion.exact(after).theta)), look.GREY, 1.0, look.DASHED),
         pen.Curve((until, np.degrees(motion.exact(until).theta)), look.FIRST, 1.6),
         pen.Curve(([0, fall, fall], [90, 90, 0]), look.INK, 0.8, look.DOTTED),
-        pen.Mark((fall, 90), look.SECOND, 4.5),
+        pen.Markers((fall, 90), look.SECOND, 4.5),
         pen.Words((fall, 90), f"{fall:.3g} s", beside, ha=side),
     ]
     pen.chart(axes, parts, "$t$  (s)", TILT, xlim=(0, period), **ALL_TILTS)
@@ -97,7 +97,7 @@ def draw_sleeping(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> Non
         pen.Curve((spins, first), look.SECOND, 1.3, look.DASHED, label="_smallest"),
         pen.Rule(x=wakes),
         pen.Curve(([omega3, omega3], marked), look.INK, 0.8),
-        pen.Mark(([omega3, omega3], marked)),
+        pen.Markers(([omega3, omega3], marked)),
         pen.Words((wakes, 190), formula, (5, -2), look.NOTE, va="top"),
         pen.Words((0.62 * wakes, 40), "wakes", ha="center"),
         pen.Words((0.5 * (wakes + last), 40), "sleeps", ha="center"),

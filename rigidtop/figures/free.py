@@ -117,7 +117,7 @@ def draw_polhodes(axes: Axes, body: FreeBody) -> None:
     for k, end in enumerate(np.diag(1 / np.sqrt(moments))):
         for sign in (1.0, -1.0):
             fill = look.INK if sign * eye[k] > 0 else "none"
-            parts.append(pen.Mark(sign * end @ to_paper, size=3.2, fill=fill, z=6))
+            parts.append(pen.Markers(sign * end @ to_paper, size=3.2, fill=fill, z=6))
         longer = 0.5 if k == middle else 0.28
         tip = (end + longer * np.eye(3)[k] / math.sqrt(moments.min())) @ to_paper
         parts.append(pen.Arrow(tip, rf"$\omega_{k + 1}$", lw=1.0, start=end @ to_paper))
@@ -285,12 +285,12 @@ def draw_tumbling(body_axes: Axes, space_axes: Axes, motion: Motion) -> None:
     space_axes.set_title("space frame")
 
 
-def _mark(view: View, point: Floats, words: str) -> pen.Mark:
+def _mark(view: View, point: Floats, words: str) -> pen.Markers:
     """A dot with a name, open where it is behind."""
     x, _, near = view(point)
     inwards = -12 * float(x), 5.0  # away from the outline of the sphere
     fill = look.INK if near > 0 else "white"
-    return pen.Mark(point, size=4, fill=fill, z=6, words=words, shift=inwards, ha="center")
+    return pen.Markers(point, size=4, fill=fill, z=6, words=words, shift=inwards, ha="center")
 
 
 def _tumbling(omega1: float, omega2: float, omega3: float, **moments: float) -> Motion:

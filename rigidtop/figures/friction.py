@@ -84,7 +84,7 @@ def tilt_in_time(
         return [theta]
     words, ha = f"{then:.3g} s", "left" if shift[0] > 0 else "right"
     name: Any = {"words": words, "shift": shift, "ha": ha, "ink": look.INK}
-    return [theta, pen.Mark((then, math.degrees(tilt)), look.SECOND, 4, label=label, **name)]
+    return [theta, pen.Markers((then, math.degrees(tilt)), look.SECOND, 4, label=label, **name)]
 
 
 def gains(path: SlidingTrajectory) -> dict[str, Floats]:
@@ -132,7 +132,7 @@ def draw_track(axes: Axes, path: SlidingTrajectory) -> None:
     rest = stands(path)
     first = len(track) if rest is None else int(np.searchsorted(path.t, rest))
     later = "rolls, slips" if slips_again(path) else "rolls"
-    parts: list[pen.Part] = [pen.Mark(track[0])]
+    parts: list[pen.Part] = [pen.Markers(track[0])]
     for piece, words, color, style in (
         (track[: first + 1], "slides", look.FIRST, "-"),
         (track[first:], later, look.SECOND, look.DASHED),
@@ -262,7 +262,7 @@ def draw_waking(
         upright.append(pen.Rule(x=seen, label="_seen"))
     limits = {"xlim": (0, path.t[-1])}
     theta = tilt_in_time(path, visible, "_visible", (-5, 2))
-    parts = [*theta, pen.Mark((path.t[0], math.degrees(path.theta[0]))), *upright]
+    parts = [*theta, pen.Markers((path.t[0], math.degrees(path.theta[0]))), *upright]
     pen.chart(tilt, parts, "", r"$\theta$  (degrees)", yscale="log", **limits)
     omega3 = pen.Curve((path.t, path.omega[:, 2]), look.FIRST, 1.3, label="_omega3")
     # Beside the curve, which is above this line at first and below it in the end.

@@ -176,7 +176,7 @@ class Rule(Part):
 
 
 @dataclass(frozen=True, eq=False)
-class Mark(Part):
+class Markers(Part):
     """Points, never cut off; `fill` and `edge` are colours other than that of all.
 
     One may have a name beside it, in `ink` if not in its own colour.
@@ -253,9 +253,9 @@ class Arrow(Part):
         across, up = float(x1 - x0), float(y1 - y0)
         length = math.hypot(across, up)
         if length < 1e-3 * abs(float(n1 - n0)):
-            sight = Mark(self.start, self.color, 9, z=self.z, fill="white", width=self.lw)
+            sight = Markers(self.start, self.color, 9, z=self.z, fill="white", width=self.lw)
             inner = "." if n1 > n0 else "x"
-            sign = Mark(self.start, self.color, 5, inner, z=self.z + 0.1, width=self.lw)
+            sign = Markers(self.start, self.color, 5, inner, z=self.z + 0.1, width=self.lw)
             draw(axes, (sight, sign), view)
         elif length:
             head = f"{self.ends},head_width={self.size[0]},head_length={self.size[1]}"

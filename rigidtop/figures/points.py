@@ -72,7 +72,7 @@ def draw_two_masses(axes: Axes, held: Stick) -> None:
         pen.Arrow(1.4 * UPRIGHT, look.OMEGA_VEC, look.OMEGA, 1.7, shift=(9, -2)),
         pen.Arrow(momentum, look.L_VEC, look.MOMENTUM, 1.9, shift=beside, z=5.2),
         pen.couple(turning, (8, -12)),
-        pen.Mark(pen.ORIGIN),
+        pen.Markers(pen.ORIGIN),
     ]
     for k, place in enumerate(places):
         parts += _mass(k, place, 12 * float(np.cbrt(held.masses[k] / held.masses.max())))
@@ -93,7 +93,7 @@ def _mass(k: int, place: Floats, size: float) -> list[pen.Part]:
     aside = (0.5 * size + 3) * (1 - 2 * k), (5, -14)[k] if short else -3
     parts: list[pen.Part] = [
         pen.round_axis(way, look.GREY, lw=0.8, ls=look.DASHED),
-        pen.Mark(place, size=size, fill=look.FACE, edge=look.EDGE, width=0.8, z=6),
+        pen.Markers(place, size=size, fill=look.FACE, edge=look.EDGE, width=0.8, z=6),
         pen.Words(place, f"$M_{k + 1}$", aside, ha=("left", "right")[k]),
     ]
     across = 8 * unit([place[2], -place[1]])
@@ -196,7 +196,7 @@ def draw_weights(axes: Axes, body: Points) -> None:
     parts += [
         pen.Arrow(centre + weights.sum(axis=0), look.WEIGHT, lw=2.0, start=centre),
         pen.Arrow(centre, lw=1.6, z=5.5),
-        pen.Mark(centre, size=4, words=look.R_CM, shift=shift, ha=side),
+        pen.Markers(centre, size=4, words=look.R_CM, shift=shift, ha=side),
         pen.couple(couple, (10, -22)),
     ]
     pen.fit(axes, parts, VIEW_WEIGHTS, (0.12, 0.12, 0.1, 0.1))
@@ -217,9 +217,9 @@ def _point(place: Floats, weight: Floats, words: str, size: float) -> list[pen.P
     return [
         pen.Curve([pen.ORIGIN, place], look.RULE, 2.0),
         pen.Curve([place, foot], look.GREY, 0.7, look.DOTTED, z=1),
-        pen.Mark(foot, look.GREY, 3, ".", z=1),
+        pen.Markers(foot, look.GREY, 3, ".", z=1),
         pen.Arrow(place + weight, "", look.FIRST, 1.3, start=place),
-        pen.Mark(place, size=size, fill=look.FACE, edge=look.EDGE, width=0.8, z=6),
+        pen.Markers(place, size=size, fill=look.FACE, edge=look.EDGE, width=0.8, z=6),
         pen.Words(place, words, (0, 0.5 * size + 3), ha="center", z=7),
     ]
 
@@ -296,7 +296,7 @@ def draw_leaning_cone(
         *_height(place, level),
         pen.Arrow(weight, start=place),
         pen.Words(weight, look.WEIGHT, (6, 2)),
-        pen.Mark(place, words=look.R_CM, shift=(7, -9)),
+        pen.Markers(place, words=look.R_CM, shift=(7, -9)),
         pen.couple(0.0 * nodes if upright else 0.85 * nodes, (20, -4)),
     ]
     if not upright:

@@ -49,13 +49,13 @@ def draw_effective_potential(axes: Axes, motion: TopMotion) -> None:
         pen.Band(np.degrees(inside), below, energy),
         *(pen.Curve((turn, [bottom, energy]), look.GREY, 0.8, look.DOTTED) for turn in at),
         pen.Curve((at, energy), lw=1.0, label="_energy"),
-        pen.Mark((at, energy)),
+        pen.Markers((at, energy)),
         pen.Words((at[1], energy), "$E$", (7, 0), va="center"),
     ]
     if 0 < low < len(angles) - 1:
         place = math.degrees(angles[low]), float(potential[low])
         name: Any = {"words": "steady", "shift": (0, -6), "ha": "center", "va": "top"}
-        parts.append(pen.Mark(place, look.SECOND, 4.5, "s", **name))
+        parts.append(pen.Markers(place, look.SECOND, 4.5, "s", **name))
     limits = {"xlim": np.degrees(shown), "ylim": (bottom, energy + 1.6 * depth)}
     up = r"$U - {p_\psi}^2/(2\lambda_3)$  (J)"
     pen.chart(axes, parts, r"$\theta$  (degrees)", up, **limits)

@@ -56,7 +56,7 @@ def draw_precession_rates(axes: Axes, top: HeavyTop, theta: float, omega3: float
         parts += [
             pen.Curve((spins, law), look.GREY, 1.0, look.DASHED),
             pen.Curve((spins, rates[:, k]), color, 1.3, label=f"_{name}"),
-            pen.Mark((omega3, marked[k]), color, 4),
+            pen.Markers((omega3, marked[k]), color, 4),
             pen.Words((last, rates[-1, k]), letter, (3, 0), color, va="center"),
             pen.Words(at, formula, color=look.NOTE, **place),
         ]
@@ -160,7 +160,7 @@ def draw_asymptotics(axes: Axes, top: HeavyTop, theta: float, omega3: float) -> 
             errors_of = epsilon, lines[order, root]
             label = "_" if order else name
             parts.append(pen.Curve(errors_of, color, width, style, label=label))
-            parts.append(pen.Mark((here, float(dots[order, root, 0])), color))
+            parts.append(pen.Markers((here, float(dots[order, root, 0])), color))
         k = 90 + 40 * order
         place = float(epsilon[k]), float(lines[order].max(axis=0)[k])
         parts.append(pen.Words(place, words, (-4, 4), ha="right"))

@@ -75,7 +75,7 @@ class Rotor:
         pieces = ((0.0, self.arm), -self.e3), ((self.arm, end), self.e3)
         lines = [(np.outer(ends, self.e3), self.level(side) - 0.1) for ends, side in pieces]
         axle = [pen.Curve(line, look.NOTE, 2.6, z=z, cap="round") for line, z in lines]
-        return [*axle, pen.Mark(pen.ORIGIN, size=3.8)]
+        return [*axle, pen.Markers(pen.ORIGIN, size=3.8)]
 
     def arrows(self) -> list[pen.Part]:
         """Mg, N, L, dL/dt and ω₃.
@@ -106,7 +106,7 @@ class Rotor:
             pen.Words(beyond, look.L_DOT, change[0], look.TORQUE, *change[1:]),
             pen.Arrow(0.6 * couple, look.N_VEC, look.TORQUE, 1.9, shift=above, z=6),
             pen.Arrow(weight, lw=1.5, start=centre, z=6),
-            pen.Mark(centre),
+            pen.Markers(centre),
             pen.Words(weight, f"$Mg = {in_math(top.M * top.g)}$ N", aside, ha=side),
         ]
 
@@ -172,7 +172,7 @@ def draw_simple_and_exact(
     parts: list[pen.Part] = [
         pen.Curve((from_zero, simple), look.GREY, 1.1, look.DASHED, label=law),
         pen.Curve((spins, exact), look.FIRST, 1.3, label=r"$\Omega_-$ of (3.57)"),
-        pen.Mark((marked, now), look.FIRST, 4.5, label="_now"),
+        pen.Markers((marked, now), look.FIRST, 4.5, label="_now"),
     ]
     if least > 0.6 * first:
         parts.append(pen.Rule(x=least, label="_least"))
@@ -262,10 +262,10 @@ def draw_wheel(axes: Axes, motion: TopMotion, radius: float, cord: float) -> Non
     rim = ring(centre, e3, half, rotor.view.axes[2] + 0.1 * rotor.view.axes[0])
     spokes = ring(centre, e3, half, UPRIGHT, count=SPOKES + 1)[:-1]
     # Where the cord is fixed, or a stroke through it where it goes on.
-    cut = pen.Mark(upper, look.NOTE, 9, (2, 0, 60), z=5)
+    cut = pen.Markers(upper, look.NOTE, 9, (2, 0, 60), z=5)
     parts: list[pen.Part] = [
         pen.Curve([pen.ORIGIN, upper], look.NOTE, 1.1, z=5, label="_cord"),
-        cut if whole > LONGEST else pen.Mark(upper, look.GREY, 5, "s", z=5),
+        cut if whole > LONGEST else pen.Markers(upper, look.GREY, 5, "s", z=5),
         pen.Words(pen.ORIGIN, "$O$", (-4, -10), ha="right"),
         *rotor.axle(),
         *(pen.Curve([centre, point], look.GREY, 0.6, z=2.2) for point in spokes),

@@ -69,7 +69,7 @@ def draw_torque(axes: Axes, motion: TopMotion) -> None:
         pen.couple(0.95 * turning, (-6, -10), "right"),
         pen.Arrow(weight, start=centre),
         pen.Words(weight, look.WEIGHT, (6, 2)),
-        pen.Mark(centre, words=look.R_CM, shift=(6, -8)),
+        pen.Markers(centre, words=look.R_CM, shift=(6, -8)),
         pen.Words(pen.ORIGIN, "$O$", (5, -10)),
     ]
     if np.any(turning):
@@ -270,7 +270,7 @@ def draw_toy_top(axes: Axes, R: float, theta: float, omega3: float, **sizes: flo
         solids.table(),
         *(pen.Curve(np.outer(ends, e3), look.NOTE, z=z, **stem) for ends, z in pieces),
         *solids.disc(middle * e3, e3, half, height),
-        pen.Mark(centre * e3, label="_centre", words=look.R_CM, shift=(5, -8)),
+        pen.Markers(centre * e3, label="_centre", words=look.R_CM, shift=(5, -8)),
         pen.guide(np.outer([top, top + 0.62], e3)),
         pen.guide(np.outer([0.0, top + 0.62], UPRIGHT)),
         *pen.angle(way, r"$\theta$", (0, 2), out=1.05, color=look.GREY, lw=0.8, z=1),
@@ -300,10 +300,10 @@ def draw_path_from_above(axes: Axes, motion: TopMotion, touching: float) -> None
     shift = (0, -3 if below else -11)
     parts = [
         pen.Curve((x, y), look.FIRST, 1.0, label="_path"),
-        pen.Mark((x[0], y[0]), look.FIRST),
+        pen.Markers((x[0], y[0]), look.FIRST),
         pen.Curve(bow(edge), look.SECOND, 0.9, look.DOTTED),
         pen.Words((0.0, edge), "rim touches", (0, 3), look.SECOND, "center"),
-        pen.Mark((0.0, 0.0), look.GREY, 6, "+"),
+        pen.Markers((0.0, 0.0), look.GREY, 6, "+"),
         pen.Words((0.0, -below), rf"$\theta = {theta[0]:.3g}°$", shift, ha="center"),
     ]
     pen.picture(axes, parts, (-1.04 * edge, 1.04 * edge), (-1.04 * edge, 1.25 * edge))
@@ -329,7 +329,7 @@ def draw_against_spin(axes: Axes, top: HeavyTop, theta: float, omega3: float) ->
         place = spins[at] * RPM, rates[at, k]
         parts += [
             pen.Curve((spins * RPM, rates[:, k]), color, 1.3, style, label=f"_{words}"),
-            pen.Mark((given * RPM, marked[0, k]), color, 4.5, label=f"_{words} now"),
+            pen.Markers((given * RPM, marked[0, k]), color, 4.5, label=f"_{words} now"),
             pen.Words(place, words, (0, 5), color, "center"),
         ]
     limits = {"xlim": (0.9 * least * RPM, last * RPM), "ylim": (0.6 * rates[-1, 0], high)}

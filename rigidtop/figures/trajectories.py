@@ -94,12 +94,12 @@ def draw(axes: Axes, places: Floats, attitudes: Floats, row: int) -> None:
     room = half + length * turned
     middles = ((side.max() + side.min()) / 2 for side in sides)
     across, up = ((middle - room, middle + room) for middle in middles)
-    parts: list[pen.Part] = [pen.Mark(pen.ORIGIN, look.GREY, 6, "+", 1)]
+    parts: list[pen.Part] = [pen.Markers(pen.ORIGIN, look.GREY, 6, "+", 1)]
     parts += [pen.Curve([first[row], second[row]], lw=1.3) for first, second in _rods(places)]
     for k, (path, turning) in enumerate(zip(places, attitudes, strict=True)):
         color = COLOURS[k % len(COLOURS)]
         parts.append(pen.Curve(path[: row + 1], color, 0.6, z=1, alpha=0.6))
-        parts.append(pen.Mark(path[row], color, 7, z=3))
+        parts.append(pen.Markers(path[row], color, 7, z=3))
         if not np.allclose(turning, np.eye(3)):
             ends = zip(turning[row].T, (look.SECOND, look.THIRD, look.FIRST), strict=True)
             parts += [pen.Curve([path[row], path[row] + length * e], c, 1.3) for e, c in ends]

@@ -63,8 +63,8 @@ def draw_turns(axes: Axes, path: Trajectory) -> None:
     parts = [
         pen.Curve((path.t, wobble), look.SECOND, 1.3, label="_wobble"),
         pen.Curve((path.t, mark), look.FIRST, 1.3, look.DASHED, label="_mark"),
-        pen.Mark((path.t[pictures], wobble[pictures]), look.SECOND, 4, label="_wobble_dots"),
-        pen.Mark((path.t[pictures], mark[pictures]), look.FIRST, 4, label="_mark_dots"),
+        pen.Markers((path.t[pictures], wobble[pictures]), look.SECOND, 4, label="_wobble_dots"),
+        pen.Markers((path.t[pictures], mark[pictures]), look.FIRST, 4, label="_mark_dots"),
         pen.Words((path.t[k], wobble[k]), wobbles, (-7, 5), look.SECOND, "right"),
         pen.Words((path.t[k], mark[k]), "mark", (3, -11), look.FIRST),
     ]
@@ -87,7 +87,7 @@ def draw_plate(
     parts: list[pen.Part] = [
         *solids.disc(0.0 * e3, e3, half, height),
         pen.Curve([face, mark], look.FIRST, 1.1, z=above),
-        pen.Mark(mark, look.FIRST, 4.2, z=above + 0.1, label="_mark"),
+        pen.Markers(mark, look.FIRST, 4.2, z=above + 0.1, label="_mark"),
         pen.Curve([vertical, top], look.MOMENTUM, 0.9, look.DASHED, above),
         pen.Arrow(tip, "", look.AXIS, 1.3, start=face, z=above + 0.2),
     ]
@@ -193,8 +193,8 @@ def draw_polar_motion(axes: Axes, **values: float) -> None:
         # Heads where there are no days of either.
         *(pen.Curve(way[k : k + 9], look.OMEGA, head=True) for k in (12, 192)),
         pen.Curve(([0.0, size], 0.0), look.GREY, 0.9, look.DASHED),
-        pen.Mark((0.0, 0.0), look.AXIS, 4, z=5),
-        pen.Mark(way[0], look.OMEGA, 6.5, z=6),
+        pen.Markers((0.0, 0.0), look.AXIS, 4, z=5),
+        pen.Markers(way[0], look.OMEGA, 6.5, z=6),
         pen.Words((0.0, 0.0), look.E3, (-6, 0), look.AXIS, "right", "center", 10),
         pen.Words((size, 0.0), look.OMEGA_VEC, (7, -3), look.OMEGA, size=10),
         pen.Words((0.5 * size, 0.0), metres, (0, 3), look.NOTE, "center", size=small),
@@ -208,7 +208,7 @@ def draw_polar_motion(axes: Axes, **values: float) -> None:
         days = marked_days(period)
         poles = way_of_the_pole(motion, radius, days * exercise.DAY * omega3)
         label = "_rigid" if outwards > 0 else "_yielding"
-        parts.append(pen.Mark(poles, color, label=label, **mark))
+        parts.append(pen.Markers(poles, color, label=label, **mark))
         for pole, day in zip(poles[1:], days[1:], strict=True):
             right, up = outwards * pole / size
             number = f"${in_math(float(day), 4)}$"

@@ -12,7 +12,7 @@ from itertools import combinations
 from sympy import Rational
 
 from rigidtop.judge import definitions, oscillations, worth
-from rigidtop.judge.context import LINEAR, Context, Definition, Limit
+from rigidtop.judge.context import LINEAR, Context, Definition, LimitingCase
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, SLIP_SECONDS, Slip, slip
 from rigidtop.judge.implicit import implicit, solves_nearly
 from rigidtop.judge.jets import jet_of, jets
@@ -92,7 +92,7 @@ def tending(question: Question) -> Judgement:
     limits = [x for x in context.limits if x.sentence == question.at.sentence]
     same = any(x.letter == left for x in limits)
     if isinstance(left, Letter) and right in (INFINITY, ZERO) and (same or not limits):
-        limit = Limit(left, right == INFINITY, question.at.sentence)
+        limit = LimitingCase(left, right == INFINITY, question.at.sentence)
         return Outcome(PREMISE, "a limit"), replace(context, limits=(*context.limits, limit))
     match left, right:
         case Letter(), Letter() if (
@@ -134,7 +134,7 @@ def limited(statement: Statement, at: Situation, context: Context) -> tuple[Stat
         case Statement((n.Limit(of, Letter() as letter, place), *others), ("=", *links)) if (
             place in (INFINITY, ZERO)
         ):
-            limit = Limit(letter, place == INFINITY, at.sentence)
+            limit = LimitingCase(letter, place == INFINITY, at.sentence)
             context = replace(context, limits=(*context.limits, limit))
             statement = replace(statement, sides=(of, *others), relations=("→", *links))
     return statement, context
@@ -149,7 +149,7 @@ def _approaching(question: Question, letter: Letter, other: Letter) -> Context:
     at, sum_of_both = question.at, n.Sum((other, _DISTANCE))
     near = Definition(sum_of_both, at.number, at.scope, supposed=True)
     context = question.context.defining(letter, near)
-    return replace(context, limits=(*context.limits, Limit(_DISTANCE, False, at.sentence)))
+    return replace(context, limits=(*context.limits, LimitingCase(_DISTANCE, False, at.sentence)))
 
 
 def nearly_equal(question: Question) -> Judgement | None:

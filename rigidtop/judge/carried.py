@@ -13,11 +13,11 @@ from functools import cached_property
 from itertools import chain, pairwise, takewhile
 from typing import TypeVar
 
-from rigidtop.judge.context import Bound, Constraint, Context, Definition, Limit
+from rigidtop.judge.context import Bound, Constraint, Context, Definition, LimitingCase
 from rigidtop.judge.reading import LATE
-from rigidtop.judge.text import Asked, Known, Reading, Row, Step, around, start
+from rigidtop.judge.text import Asked, Knowledge, Reading, Row, TextStep, around, start
 
-Item = TypeVar("Item", Definition, Constraint, Bound, Limit)
+Item = TypeVar("Item", Definition, Constraint, Bound, LimitingCase)
 
 
 class GoneError(Exception):
@@ -98,7 +98,7 @@ class Numbering:
             case Constraint():
                 number, until = self.statement(item.number), self.sentence(item.until)
                 changes = {"number": number, "until": until}
-            case Limit():
+            case LimitingCase():
                 changes = {"sentence": self.sentence(item.sentence)}
         if isinstance(item, Definition | Constraint):
             changes["scope"] = self.scope(item.scope)
@@ -162,10 +162,10 @@ class Older:
     """The steps that were made of an older text, or of its beginning, beside a newer text."""
 
     read: Reading
-    steps: Sequence[Step]
+    steps: Sequence[TextStep]
     newer: Reading
 
-    def carried(self, made: Sequence[Step]) -> Step | None:
+    def carried(self, made: Sequence[TextStep]) -> TextStep | None:
         """The step behind those that have been made, if it would be as it was."""
         place = self._places.get(len(made))
         if place is None or _is_late(self.steps[place]):
@@ -180,7 +180,7 @@ class Older:
         except GoneError:
             return None
 
-    def as_it_was(self, place: int) -> Step | None:
+    def as_it_was(self, place: int) -> TextStep | None:
         """What became of what is asked in a place, though it may not be so any more."""
         try:
             old, asked = self.steps[self._places[place]], self.newer.asked[place]
@@ -211,12 +211,12 @@ class Older:
         pairs = [(self.steps[old].asked, newer[new]) for new, old in places.items()]
         return numbering(pairs, whole)
 
-    def _known(self, known: Known) -> Known:
+    def _known(self, known: Knowledge) -> Knowledge:
         """What was known, with the new numbers; raises GoneError."""
         context, scope = self._numbering.context(known.context), self._numbering.scope(known.scope)
         return replace(known, context=context, scope=scope)
 
-    def _moved(self, step: Step, asked: Asked, before: Known, known: Known) -> Step:
+    def _moved(self, step: TextStep, asked: Asked, before: Knowledge, known: Knowledge) -> TextStep:
         """A step as one of what is asked now; raises GoneError."""
         passage, numbers = asked.passage, self._numbering
         there = (asked.number, passage.sentence, passage.scope)
@@ -232,7 +232,7 @@ class Older:
         ):
             raise GoneError  # a search for slips that was given up, or would be now
         behind = replace(self._known(step.behind), seconds=known.seconds - spent)
-        return Step(asked, _row(step.row, asked, numbers), behind)
+        return TextStep(asked, _row(step.row, asked, numbers), behind)
 
 
 def _row(row: Row | None, asked: Asked, numbers: Numbering) -> Row | None:
@@ -251,7 +251,7 @@ def _row(row: Row | None, asked: Asked, numbers: Numbering) -> Row | None:
     )
 
 
-def _is_late(step: Step) -> bool:
+def _is_late(step: TextStep) -> bool:
     return step.row is not None and step.row.outcome.why == LATE
 
 
@@ -271,7 +271,7 @@ def _alike(one: Sequence[object], other: Sequence[object]) -> int:
     return sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
 
 
-def _is_known(one: Known, other: Known, asked: Asked) -> bool:
+def _is_known(one: Knowledge, other: Knowledge, asked: Asked) -> bool:
     """Whether the same is known where something is asked, and there is patience left in both."""
     if one.scope != other.scope or (one.seconds > 0) != (other.seconds > 0):
         return False

@@ -82,7 +82,7 @@ class Bound:
 
 
 @dataclass(frozen=True)
-class Limit:
+class LimitingCase:
     """A letter that becomes large, or small, in one sentence."""
 
     letter: Letter
@@ -165,7 +165,7 @@ class Context:
     """The sentence that said so last."""
     brackets: int = 1
     """The sign of ∂f/∂q ∂g/∂p in the text's Poisson brackets."""
-    limits: tuple[Limit, ...] = ()
+    limits: tuple[LimitingCase, ...] = ()
     """What letters tend to: zero or infinity."""
     said: tuple[Node, ...] = ()
     """The sides of the statement before."""

@@ -32,7 +32,7 @@ from rigidtop.judge.jets import jet_of, rate
 from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS, hamilton, lagrange
 from rigidtop.judge.numbers import A_MINUTE, are_numbers, compared
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, UNDECIDED, Outcome
-from rigidtop.judge.question import Judgement, Pair, Path, Question
+from rigidtop.judge.question import Judgement, Pair, Question, TrialMotion
 from rigidtop.judge.rest import staying
 from rigidtop.judge.sides import ZERO, letters_of, own_letters
 from rigidtop.judge.values import UnclearError
@@ -289,7 +289,7 @@ def _path(question: Question, holds: bool | None) -> Judgement | None:
     return _wrong(question, holds)
 
 
-def _is_another(question: Question, path: Path) -> bool:
+def _is_another(question: Question, path: TrialMotion) -> bool:
     """Whether the text has said another motion with the same letters, and no condition since."""
     above = question.context.definitions.get(path.letter)
     if above is None or not above.motion or above.scope != question.at.scope:

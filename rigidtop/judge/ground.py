@@ -36,7 +36,7 @@ SLACK, ENTRY = "slack", "entry"
 
 
 @dataclass(frozen=True)
-class Premises:
+class LinePremises:
     """What a line rests on: what is stated, whether some of it is unread, and what is set.
 
     The first `general` of the statements are laws and definitions, which hold for any vector.
@@ -50,7 +50,7 @@ class Premises:
 
 
 @dataclass
-class Values:
+class ValueCache:
     """Values of formulas, each worked out once for all the lines of a page.
 
     A value is taken again as long as all letters stand for what they stood for.
@@ -150,10 +150,10 @@ class Ground:
     With `whole` all that it rests on stands in the premises, and not only what it cites.
     """
 
-    premises: Premises
+    premises: LinePremises
     letters: Alphabet
     habits: Habits
-    values: Values
+    values: ValueCache
     stated: tuple[Statement, ...]
     whole: bool
 

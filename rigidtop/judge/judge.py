@@ -9,7 +9,15 @@ from dataclasses import dataclass, field, replace
 from rigidtop.judge import approximations, bounds, equality, places, remainders, roots
 from rigidtop.judge.components import along, each_component
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.context import SETTING, START, Bound, Constraint, Context, Definition, Limit
+from rigidtop.judge.context import (
+    SETTING,
+    START,
+    Bound,
+    Constraint,
+    Context,
+    Definition,
+    LimitingCase,
+)
 from rigidtop.judge.jets import jets
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
 from rigidtop.judge.letters import TURNING
@@ -507,7 +515,7 @@ def _conditioned(question: Question, relation: str) -> Judgement:
             less, more = more, less
         context = context.comparing(own_letters(less), question.at.sentence)
         if isinstance(less, n.Number) and isinstance(more, Letter):  # x ≫ 1, whatever it was above
-            limit = Limit(more, True, question.at.sentence)
+            limit = LimitingCase(more, True, question.at.sentence)
             kept = tuple(x for x in context.little if x and more not in x)
             context = replace(context, little=kept, limits=(*context.limits, limit))
     # At the end of a chain it is not shown by the links before it.

@@ -22,8 +22,8 @@ from rigidtop.judge.ground import (
     EQUALS,
     SLACK,
     Ground,
-    Premises,
-    Values,
+    LinePremises,
+    ValueCache,
     equations,
     habits,
     has_sign,
@@ -128,17 +128,17 @@ class Pages:
         return names_and_slopes(x for read in self.read.values() for x in _statements(read))
 
     @cached_property
-    def _desks(self) -> dict[str, tuple[Alphabet, Habits, Values]]:
+    def _desks(self) -> dict[str, tuple[Alphabet, Habits, ValueCache]]:
         """What the letters of a file are, and what has been worked out in them, by its name."""
         return {}
 
-    def _desk(self, id: str) -> tuple[Alphabet, Habits, Values]:
+    def _desk(self, id: str) -> tuple[Alphabet, Habits, ValueCache]:
         file = self.lecture.lines[id].file
         if file not in self._desks:
             letters = alphabet(self.lecture.letters_at(id))
             own = habits(self._written, letters)
             alike = (values for _, other, values in self._desks.values() if other == own)
-            self._desks[file] = letters, own, next(alike, Values())
+            self._desks[file] = letters, own, next(alike, ValueCache())
         return self._desks[file]
 
     def outcome(self, judged: Judged) -> Outcome:
@@ -167,7 +167,7 @@ class Pages:
         self, judged: Judged, stated: tuple[Statement, ...], rests_on: Sequence[str], whole: bool
     ) -> Outcome:
         order = sorted(rests_on, key=lambda x: not self._stands(x))
-        premises = Premises(
+        premises = LinePremises(
             tuple(x for id in order for x in _statements(self.read[id])),
             sum(len(_statements(self.read[x])) for x in order if self._stands(x)),
             any(isinstance(self.read[x], str) for x in rests_on),
@@ -176,7 +176,7 @@ class Pages:
         )
         ground = Ground(premises, *self._desk(judged.line.id), stated, whole)
         try:
-            return Question(ground).outcome()
+            return LineQuestion(ground).outcome()
         except (UnclearError, UnknownFunctionError) as why:
             return Outcome(UNDECIDED, str(why))
 
@@ -207,7 +207,7 @@ Sides = list[tuple[Expr, Expr]]
 
 
 @dataclass(frozen=True, eq=False)
-class Question:
+class LineQuestion:
     """Whether a line holds in the worlds of its ground."""
 
     ground: Ground

@@ -14,7 +14,7 @@ from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import residuals
 from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.program import Program
-from rigidtop.judge.question import Pair, Path, Premises, Question
+from rigidtop.judge.question import Pair, Premises, Question, TrialMotion
 from rigidtop.judge.residual import Residual
 from rigidtop.judge.sides import ZERO, letters_of, named, speaks_of
 from rigidtop.judge.values import plain
@@ -26,7 +26,7 @@ MOST_RATES = 3
 """Rates of so high an order are put in."""
 
 
-def path_of(question: Question) -> Path | None:
+def path_of(question: Question) -> TrialMotion | None:
     """The motion that a statement gives; None if it gives none."""
     letter, node = named_path(question, question.right)
     if letter is None or question.at.instant or letter not in question.moving:
@@ -51,7 +51,7 @@ def path_of(question: Question) -> Path | None:
     if speaks_of(value, letter):
         return None
     definition = Definition(node, at.number, at.scope, motion=True)
-    return Path(letter, value, context.forgetting(letter), definition)
+    return TrialMotion(letter, value, context.forgetting(letter), definition)
 
 
 def _without_trials(context: Context, letter: Letter) -> Context:
@@ -70,7 +70,7 @@ def _is_steady(question: Question, value: Expr) -> bool:
     return not question.moves(value) or question.of([(rest, 0 * TIME)]).holds()
 
 
-def speed_of(question: Question) -> Path | None:
+def speed_of(question: Question) -> TrialMotion | None:
     """The motion of which a statement gives the velocity in time, but for where it begins.
 
     None if it gives none, or if what holds depends on where the letter is.
@@ -92,7 +92,7 @@ def speed_of(question: Question) -> Path | None:
     kept = tuple(c for c in question.context.constraints if c not in begins)
     before = replace(question.context, constraints=kept).forgetting(letter)
     definition = Definition(Meant(sum_of_it), question.at.number, question.at.scope, motion=True)
-    path = Path(letter, sum_of_it, before, definition)
+    path = TrialMotion(letter, sum_of_it, before, definition)
     placed = any(x.expression.has(symbol(Jet(letter))) for x in laws(replace(question, path=path)))
     return None if placed else path
 

@@ -97,7 +97,7 @@ class Grounds:
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
+class TrialMotion:
     """A motion that is tried for a letter: what is known without it, and with it put in."""
 
     letter: Letter
@@ -129,7 +129,7 @@ class Question:
     signs: tuple[int, ...] = (1,)
     asked: tuple[Pair, ...] | None = None
     used: frozenset[int] = field(default_factory=frozenset)
-    path: Path | None = None
+    path: TrialMotion | None = None
     chosen: Mapping[Letter, Node] = field(default_factory=dict)
     deep: bool = False
 

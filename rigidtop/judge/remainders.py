@@ -77,7 +77,7 @@ def _parted(side: Node) -> tuple[Node, Node | None]:
 
 def _order(term: Node) -> Node | None:
     match term:
-        case n.Negative(n.Order(of)) | n.Order(of):
+        case n.Negative(n.Remainder(of)) | n.Remainder(of):
             return of
     return None
 

@@ -18,7 +18,7 @@ from rigidtop.judge.context import (
     Constraint,
     Context,
     Habits,
-    Limit,
+    LimitingCase,
     has_unit,
 )
 from rigidtop.judge.habits import habits_of
@@ -97,7 +97,7 @@ class Reading:
 
 
 @dataclass(frozen=True)
-class Known:
+class Knowledge:
     """What is known at a place, and the scope of the statement in front of it.
 
     For so many `seconds` slips may still be looked for.
@@ -109,12 +109,12 @@ class Known:
 
 
 @dataclass(frozen=True)
-class Step:
+class TextStep:
     """What became of something asked, None where it says nothing, and what is known behind it."""
 
     asked: Asked
     row: Row | None
-    behind: Known
+    behind: Knowledge
 
 
 def judged(source: str, macros: Macros | None = None, until: float = inf) -> tuple[Row, ...]:
@@ -135,7 +135,7 @@ def folded(
     return rows_of(made), (made[-1].behind if made else start(read)).context
 
 
-def rows_of(made: Iterable[Step]) -> tuple[Row, ...]:
+def rows_of(made: Iterable[TextStep]) -> tuple[Row, ...]:
     """What became of each statement, in the order of the text."""
     rows = (step.row for step in made if step.row is not None)
     return tuple(sorted(rows, key=lambda row: row.number))
@@ -222,7 +222,7 @@ _GIVE = re.compile(
 )
 
 
-def steps(read: Reading, until: float = inf) -> Iterator[Step]:
+def steps(read: Reading, until: float = inf) -> Iterator[TextStep]:
     """Each statement of a text judged."""
     judge, known = Judge(), start(read)
     for asked in read.asked:
@@ -231,18 +231,20 @@ def steps(read: Reading, until: float = inf) -> Iterator[Step]:
         known = made.behind
 
 
-def start(read: Reading) -> Known:
+def start(read: Reading) -> Knowledge:
     """What is known in front of the first statement."""
-    return Known(Context(read.habits), None, Patience().seconds)
+    return Knowledge(Context(read.habits), None, Patience().seconds)
 
 
-def step(asked: Asked, read: Reading, judge: Judge, known: Known, until: float = inf) -> Step:
+def step(
+    asked: Asked, read: Reading, judge: Judge, known: Knowledge, until: float = inf
+) -> TextStep:
     """A statement judged where so much is known."""
     judge = replace(judge, patience=Patience(known.seconds))
     row, context = _step(asked, read, judge, known.context, known.scope, until)
     speaks = row is not None and isinstance(asked.statement, Statement)
     scope = asked.passage.scope if speaks else known.scope
-    return Step(asked, row, Known(context, scope, judge.patience.seconds))
+    return TextStep(asked, row, Knowledge(context, scope, judge.patience.seconds))
 
 
 def around(asked: Asked, context: Context) -> Context:
@@ -357,7 +359,7 @@ def _tending(node: n.Node, passage: Passage, context: Context) -> Context:
     words = _GROWS.search(passage.before)
     if words is None or not isinstance(node, Letter) or node in context.habits.moving:
         return context
-    limit = Limit(node, words[1] is None, passage.sentence)
+    limit = LimitingCase(node, words[1] is None, passage.sentence)
     return replace(context, limits=(*context.limits, limit))
 
 

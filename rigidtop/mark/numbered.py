@@ -66,7 +66,7 @@ _SHOWN = (PROVED, SAMPLED, ASSUMING, DEFINED)
 
 
 @dataclass(frozen=True)
-class Line:
+class NumberedLine:
     """A statement under a number of a file, and what became of it.
 
     It is `as_good` if the collection prints it so, right or wrong (`as_printed`), or if it says as
@@ -88,7 +88,7 @@ class Copy:
     """
 
     group: Numbered
-    lines: tuple[Line, ...]
+    lines: tuple[NumberedLine, ...]
     judgement: Judgement | None
     absent: tuple[Statement, ...] = ()
 
@@ -318,7 +318,7 @@ def _copy(
     `rows` come with what each says in the letters of the collection, where it is read there.
     """
     if entry is None:
-        return Copy(group, tuple(Line(row, row.outcome, False) for row, _ in rows), None)
+        return Copy(group, tuple(NumberedLine(row, row.outcome, False) for row, _ in rows), None)
     comparison = _Comparison(entry, subject, until)
     rows = [(row, tuple(_in_letters(each, entry.alike) for each in own)) for row, own in rows]
     said = [each for _, own in rows for each in own]
@@ -330,8 +330,8 @@ def _copy(
     for row, own in rows[:MOST_LINES]:
         outcomes = [comparison.line(row, each, bool(reached)) for each in own]
         bad = [line for line in outcomes if not line.as_good]
-        found += [*bad, *outcomes][:1] or [Line(row, row.outcome, False)]
-    found += [Line(row, _TOO_MANY, False) for row, _ in rows[MOST_LINES:]]
+        found += [*bad, *outcomes][:1] or [NumberedLine(row, row.outcome, False)]
+    found += [NumberedLine(row, _TOO_MANY, False) for row, _ in rows[MOST_LINES:]]
     told = [*reached, *said, *(line.right for line in found if line.right is not None)]
     absent = [goal for goal in entry.printed if not _is_among(goal, told)]
     whole = all(line.outcome.verdict != UNREAD for line in found)
@@ -376,12 +376,12 @@ class _Comparison:
         known = self.entry.known, *(() if own else self.models)
         return bool(said) and any(comes_to(goal, said, each) for each in known)
 
-    def line(self, row: Row, said: Statement, is_reached: bool) -> Line:
+    def line(self, row: Row, said: Statement, is_reached: bool) -> NumberedLine:
         """What becomes of one statement, where one of the claim's is reached with it or not."""
         entry = self.entry
         for printed, verdict in entry.printed.items():
             if _is_same(said, printed):
-                return Line(row, Outcome(verdict), True, True)
+                return NumberedLine(row, Outcome(verdict), True, True)
         outcome = self.compared(said)
         if outcome.passed and is_trivial(said, replace(entry.known.habits, moving=letters(said))):
             outcome = Outcome(UNDECIDED, "it says nothing")
@@ -389,9 +389,11 @@ class _Comparison:
             outcome = Outcome(UNDECIDED, "it says less than the equation of that number")
         if not outcome.passed:
             right = max(entry.sound, key=lambda goal: _likeness(goal, said), default=None)
-            return Line(row, outcome, False, right=right)
+            return NumberedLine(row, outcome, False, right=right)
         verdict = entry.judgement.verdict.value
-        return Line(row, replace(outcome, verdict=verdict) if verdict in _OWN else outcome, True)
+        return NumberedLine(
+            row, replace(outcome, verdict=verdict) if verdict in _OWN else outcome, True
+        )
 
     def compared(self, said: Statement) -> Outcome:
         """Whether a statement holds where the claim's do, or in the models where these hold."""

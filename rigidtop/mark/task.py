@@ -58,7 +58,7 @@ class Subject:
 
 
 @dataclass(frozen=True)
-class Step:
+class PageLine:
     """A line of a page on the way, with what it states."""
 
     file: str
@@ -93,7 +93,7 @@ class Task:
     name: str
     words: tuple[str, ...]
     branches: tuple[Branch, ...] = ()
-    way: tuple[Step, ...] = ()
+    way: tuple[PageLine, ...] = ()
 
 
 @cache
@@ -362,13 +362,15 @@ def _leads(start: str, goal: str, pages: Lecture) -> bool:
     return related and lines.index(first[-1]) < lines.index(last[0])
 
 
-def _way(start: str, results: Sequence[str], pages: Lecture) -> tuple[Step, ...]:
+def _way(start: str, results: Sequence[str], pages: Lecture) -> tuple[PageLine, ...]:
     """The lines of the pages that rest on the start and that the goal rests on."""
     above = {x for id in results for x in pages.above(id)}
     below = {x for id in pages.names[start] for x in pages.below(id)}
     ids = (above & below) - {*pages.names[start], *results}
     return tuple(
-        Step(line.file, line.at, stated(id, pages)) for id, line in pages.lines.items() if id in ids
+        PageLine(line.file, line.at, stated(id, pages))
+        for id, line in pages.lines.items()
+        if id in ids
     )
 
 

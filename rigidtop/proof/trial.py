@@ -74,23 +74,23 @@ def _numbers(pair: Pair, letters: Letters) -> Diagnosis | None:
 
 
 @dataclass(frozen=True)
-class Change:
+class ChangedLine:
     """A line with one thing changed, and what it was."""
 
     line: Line
     what: str
 
 
-def changes(line: Line, letters: Letters, others: Sequence[Known] = ()) -> Iterator[Change]:
+def changes(line: Line, letters: Letters, others: Sequence[Known] = ()) -> Iterator[ChangedLine]:
     """A line with a sign, factor or function changed; another equation cited, another move."""
     for k, equation in enumerate(line.equations):
         for changed in perturbations(equation, letters.families):
-            yield Change(_with_equation(line, k, changed.equation), changed.change)
+            yield ChangedLine(_with_equation(line, k, changed.equation), changed.change)
         for i, side in enumerate(equation.sides):
             for letter in _letters(equation) if side == 0 else ():
                 sides = (*equation.sides[:i], letter, *equation.sides[i + 1 :])
                 new = Equation(*sides, relation=equation.relation, tag=equation.tag)
-                yield Change(_with_equation(line, k, new), f"{letter} for 0")
+                yield ChangedLine(_with_equation(line, k, new), f"{letter} for 0")
     move = line.move
     if move is None or move.verb == "call":
         return
@@ -99,11 +99,11 @@ def changes(line: Line, letters: Letters, others: Sequence[Known] = ()) -> Itera
             continue
         for k in range(len(move.of)):
             of = (*move.of[:k], other, *move.of[k + 1 :])
-            yield Change(replace(line, move=replace(move, of=of)), f"{other.id} cited instead")
+            yield ChangedLine(replace(line, move=replace(move, of=of)), f"{other.id} cited instead")
     for verb in ("rate", "square"):
         if verb != move.verb:
             made = replace(move, verb=verb, by=())
-            yield Change(replace(line, move=made), f"{verb} instead of {move.verb}")
+            yield ChangedLine(replace(line, move=made), f"{verb} instead of {move.verb}")
 
 
 def survivors(

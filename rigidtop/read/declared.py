@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from rigidtop.read.prose import Prose, prose_of
+from rigidtop.read.prose import TextStructure, prose_of
 
 
 class Word(Enum):
@@ -164,7 +164,7 @@ def declared(source: str) -> tuple[Declared, ...]:
     return tuple(_declared(prose_of(source, False)))
 
 
-def _declared(prose: Prose) -> Iterator[Declared]:
+def _declared(prose: TextStructure) -> Iterator[Declared]:
     for number, formula in enumerate(prose.formulas):
         if formula.display:
             continue

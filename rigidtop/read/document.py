@@ -10,7 +10,7 @@ from functools import lru_cache
 from rigidtop.errors import RigidtopError
 from rigidtop.notation import NOTES, Notation
 from rigidtop.read import left
-from rigidtop.read.equations import Line, equations
+from rigidtop.read.equations import ReadEquation, equations
 from rigidtop.read.left import NUMBER, RELATED, TAG, N, bared
 from rigidtop.read.macros import PACKAGES, Macros
 from rigidtop.read.walk import Formula, Problem, Walk
@@ -115,11 +115,11 @@ def _goes_on(
 
 def lines(
     group: Numbered, notation: Notation = NOTES, macros: Macros = PACKAGES
-) -> tuple[Line, ...]:
+) -> tuple[ReadEquation, ...]:
     """The equations of a number, with their places in the file."""
     for formula in group.formulas:
         if formula.problem:
-            return (Line(formula.start, None, formula.problem, tag=group.number),)
+            return (ReadEquation(formula.start, None, formula.problem, tag=group.number),)
     joint = "\\\\\n"
     text = joint.join(formula.text for formula in group.formulas)
     starts, at = [], 0
@@ -137,7 +137,7 @@ def lines(
     return tuple(_of_number(made, group.number))
 
 
-def _of_number(made: Sequence[Line], number: str) -> Sequence[Line]:
+def _of_number(made: Sequence[ReadEquation], number: str) -> Sequence[ReadEquation]:
     """Those up to the tag of that number, from the tag before it on; to the last all behind it."""
     tagged = [i for i, line in enumerate(made) if line.tag]
     if len({made[i].tag for i in tagged}) < 2:

@@ -15,7 +15,7 @@ from typing import Any
 
 from rigidtop.notation import NOTES, Notation
 from rigidtop.proof.equation import Equation
-from rigidtop.read.expressions import Meaning, is_of_matrices
+from rigidtop.read.expressions import Expressions, is_of_matrices
 from rigidtop.read.kinds import UnknownError, of_one_kind
 from rigidtop.read.macros import PACKAGES, Macros
 from rigidtop.read.sizes import checked_size
@@ -28,7 +28,7 @@ from rigidtop.tree.statement import Statement, Unread
 
 
 @dataclass(frozen=True)
-class Line:
+class ReadEquation:
     """An equation that was read, or why it was not.
 
     `position` is where it begins in the text, or where what can't be read stands; `tag`
@@ -41,22 +41,24 @@ class Line:
     tag: str = ""
 
 
-def equations(text: str, notation: Notation = NOTES, macros: Macros = PACKAGES) -> tuple[Line, ...]:
+def equations(
+    text: str, notation: Notation = NOTES, macros: Macros = PACKAGES
+) -> tuple[ReadEquation, ...]:
     """The equations of a formula, in order, each read or with the reason why not.
 
     Nothing of the text is evaluated, and its size and depth are limited, and its powers.
     """
-    lines: list[Line] = []
+    lines: list[ReadEquation] = []
     differentials = Glyph("d") not in notation.names  # beside a letter d, dx is a product
     for each in _whole(statements(text, macros, differentials=differentials)):
         if isinstance(each, Unread):
-            lines.append(Line(each.position, None, each.reason, each.tag))
+            lines.append(ReadEquation(each.position, None, each.reason, each.tag))
         else:
             lines += _of_each(each, notation)
     return tuple(lines)
 
 
-def _of_each(statement: Statement, notation: Notation) -> list[Line]:
+def _of_each(statement: Statement, notation: Notation) -> list[ReadEquation]:
     """The lines of a statement; of both signs of ±; of ω₁ and ω₂, where ω_{1,2} is no symbol."""
     for several in (each_sign, each_index):
         statements = [*several(statement)]
@@ -80,25 +82,25 @@ def _whole(read: Read) -> list[Statement | Unread]:
     return whole
 
 
-def _lines(statement: Statement, notation: Notation) -> list[Line]:
+def _lines(statement: Statement, notation: Notation) -> list[ReadEquation]:
     """One line, more where the relation changes in a chain."""
     at, tag = statement.position, statement.tag
     if not statement.relations:
-        return [Line(at, None, "no relation: an equation has two sides", tag)]
+        return [ReadEquation(at, None, "no relation: an equation has two sides", tag)]
     if isinstance(statement.sides[0], n.Omitted):
-        return [Line(at, None, "a relation without its left side", tag)]
+        return [ReadEquation(at, None, "a relation without its left side", tag)]
     if statement.conditions or is_conditional(statement.condition):
         words = statement.condition or ", ".join(map(plain, statement.conditions))
-        return [Line(at, None, f"words inside a formula: {words[:40]!r}", tag)]
+        return [ReadEquation(at, None, f"words inside a formula: {words[:40]!r}", tag)]
     try:
         for side in statement.sides:
             checked_size(side)
-        meaning = Meaning(notation)
+        meaning = Expressions(notation)
         matrices = any(is_of_matrices(side, meaning) for side in statement.sides)
         meaning = replace(meaning, matrices=matrices)
         sides = of_one_kind([meaning.of(side) for side in statement.sides])
     except UnknownError as why:
-        return [Line(at, None, str(why), tag)]
+        return [ReadEquation(at, None, str(why), tag)]
     relations = list(statement.relations)
     if {*relations} == {"=", "≡"}:  # p_φ ≡ … = const is one statement
         relations = ["="] * len(relations)
@@ -108,7 +110,7 @@ def _lines(statement: Statement, notation: Notation) -> list[Line]:
             runs[-1][1].append(right)
         else:
             runs.append((relation, [left, right]))
-    lines = [Line(at, Equation(*run, relation=relation)) for relation, run in runs]
+    lines = [ReadEquation(at, Equation(*run, relation=relation)) for relation, run in runs]
     relation, run = runs[-1]
-    lines[-1] = Line(at, Equation(*run, relation=relation, tag=tag), tag=tag)
+    lines[-1] = ReadEquation(at, Equation(*run, relation=relation, tag=tag), tag=tag)
     return lines

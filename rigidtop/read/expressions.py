@@ -24,7 +24,7 @@ LARGEST = 6
 
 
 @dataclass(frozen=True)
-class Meaning:
+class Expressions:
     """What nodes are as expressions, in the letters of one notation."""
 
     notation: Notation
@@ -66,14 +66,14 @@ _VARIANTS = {"ϑ": "θ", "ϕ": "φ", "ϵ": "ε", "ϱ": "ρ", "ϖ": "π", "ς": "
 """Other shapes of Greek letters: in a table each letter has one."""
 
 
-def _letter(meaning: Meaning, node: n.Letter) -> Any:
+def _letter(meaning: Expressions, node: n.Letter) -> Any:
     if node == n.Letter("π"):
         return sympy.pi
     symbol = meaning.known(node)
     return s.A_matrix if symbol == s.A and meaning.matrices else symbol
 
 
-def _primed(meaning: Meaning, node: n.Primed) -> Any:
+def _primed(meaning: Expressions, node: n.Primed) -> Any:
     if not isinstance(node.of, n.Letter):
         raise UnknownError(f"{plain(node)}: a prime belongs to a letter")
     return meaning.known(node.of, node.order)
@@ -82,7 +82,7 @@ def _primed(meaning: Meaning, node: n.Primed) -> Any:
 _DOTS = {1: "dot", 2: "ddot"}
 
 
-def _rate(meaning: Meaning, node: n.Rate) -> Any:
+def _rate(meaning: Expressions, node: n.Rate) -> Any:
     of = node.of
     if node.frame:
         if node.frame not in _FRAMES:
@@ -106,7 +106,7 @@ def _rates(of: Any, count: int) -> Any:
 _FRAMES = {"space": eq.SPACE, "body": eq.BODY}
 
 
-def _group(meaning: Meaning, node: n.Group) -> Any:
+def _group(meaning: Expressions, node: n.Group) -> Any:
     if isinstance(node.of, n.Number) and "." in node.of.text and node.of.value > 1:
         raise UnknownError(
             "a number in brackets: as the equation's own, put it behind a comma or in \\tag{}; "
@@ -116,7 +116,7 @@ def _group(meaning: Meaning, node: n.Group) -> Any:
     return inside if isinstance(inside, MatrixBase) else eq.Group(inside)
 
 
-def _sum(meaning: Meaning, node: n.Sum) -> Any:
+def _sum(meaning: Expressions, node: n.Sum) -> Any:
     terms = [(x.of, -1) if isinstance(x, n.Negative) else (x, 1) for x in node.terms]
     values = [(meaning.of(x), sign) for x, sign in terms]
     if any(kind(x) == "matrix" for x, _ in values):
@@ -128,7 +128,7 @@ def _sum(meaning: Meaning, node: n.Sum) -> Any:
     return reduce(lambda total, term: Add(total, term, evaluate=False), signed)
 
 
-def _product(meaning: Meaning, node: n.Product) -> Any:
+def _product(meaning: Expressions, node: n.Product) -> Any:
     for factor in node.factors[1:]:
         if isinstance(factor, n.Number):
             raise UnknownError(f"the number {factor.text} behind a factor")
@@ -149,7 +149,7 @@ def _times(left: Any, right: Any) -> Any:
     return Mul(left, right, evaluate=False)
 
 
-def _quotient(meaning: Meaning, node: n.Quotient) -> Any:
+def _quotient(meaning: Expressions, node: n.Quotient) -> Any:
     over, under = meaning.of(node.over), meaning.of(node.under)
     if kind(under) != "scalar":
         raise UnknownError(f"a division by a {kind(under)}")
@@ -160,7 +160,7 @@ def _quotient(meaning: Meaning, node: n.Quotient) -> Any:
     return _times(over, Pow(under, Integer(-1), evaluate=False))
 
 
-def _power(meaning: Meaning, node: n.Power) -> Any:
+def _power(meaning: Expressions, node: n.Power) -> Any:
     if isinstance(node.base, n.Letter) and node.exponent == n.Number("2"):
         square = meaning.symbol(replace(node.base, base=f"{node.base.base}²"))
         if square is not None and meaning.symbol(node.base) is None:
@@ -179,14 +179,14 @@ def _power(meaning: Meaning, node: n.Power) -> Any:
     return Pow(base, exponent, evaluate=False)
 
 
-def _root(meaning: Meaning, node: n.Root) -> Any:
+def _root(meaning: Expressions, node: n.Root) -> Any:
     of = meaning.of(node.of)
     if kind(of) != "scalar":
         raise UnknownError(f"the root of a {kind(of)}")
     return Pow(of, Rational(1, node.degree), evaluate=False)
 
 
-def _apply(meaning: Meaning, node: n.Apply) -> Any:
+def _apply(meaning: Expressions, node: n.Apply) -> Any:
     inside = meaning.of(n.ungrouped(node.of))
     if node.name in _OF_MATRICES:
         letter = meaning.notation.glyphs.get(inside)
@@ -206,7 +206,7 @@ def _apply(meaning: Meaning, node: n.Apply) -> Any:
 _OF_MATRICES = ("det", "tr")
 
 
-def is_of_matrices(node: n.Node, meaning: Meaning) -> bool:
+def is_of_matrices(node: n.Node, meaning: Expressions) -> bool:
     """Whether something stands in it that only matrices have, or a letter that is always one."""
     for x in n.walked(node):
         if isinstance(x, (n.Matrix, n.Transposed)):
@@ -221,14 +221,14 @@ def is_of_matrices(node: n.Node, meaning: Meaning) -> bool:
     return False
 
 
-def _acts(meaning: Meaning, left: n.Node, right: n.Node) -> bool:
+def _acts(meaning: Expressions, left: n.Node, right: n.Node) -> bool:
     """Whether A stands before a vector."""
     named = isinstance(left, n.Letter) and meaning.symbol(left) == s.A
     bare = right.of if isinstance(right, n.Rate) else right
     return named and isinstance(bare, n.Letter) and bare.bold
 
 
-def _call(meaning: Meaning, node: n.Call) -> Any:
+def _call(meaning: Expressions, node: n.Call) -> Any:
     """A letter of a table is itself at its time or place; K and F are elliptic integrals."""
     function = node.function
     places = tuple(meaning.of(n.ungrouped(x)) for x in node.places)
@@ -245,7 +245,7 @@ def _call(meaning: Meaning, node: n.Call) -> Any:
 _ELLIPTIC = {"K": sympy.elliptic_k, "F": sympy.elliptic_f}
 
 
-def _derivative(meaning: Meaning, node: n.Derivative) -> Any:
+def _derivative(meaning: Expressions, node: n.Derivative) -> Any:
     by, *more = (meaning.of(x) for x in node.by)
     of = _differentiated(meaning, node.of)
     if not node.partial and kind(by) == "scalar" and {*more} <= {by}:
@@ -257,20 +257,20 @@ def _derivative(meaning: Meaning, node: n.Derivative) -> Any:
     return eq.Partial(of, by)
 
 
-def _differentiated(meaning: Meaning, of: n.Node) -> Any:
+def _differentiated(meaning: Expressions, of: n.Node) -> Any:
     """What is differentiated: ∂L is of the Lagrangian where L is nothing else."""
     if of == n.Letter("L") and meaning.symbol(of) is None:
         return s.Lagrangian
     return meaning.of(of)
 
 
-def _total(meaning: Meaning, node: n.Total) -> Any:
+def _total(meaning: Expressions, node: n.Total) -> Any:
     if node.sign != "Σ" or node.lower is not None or len(node.index) > 1:
         raise UnknownError("a sum is over an index, as in \\sum_k")
     return eq.SumOver(Symbol("".join(x.base for x in node.index)), meaning.of(node.of))
 
 
-def _integral(meaning: Meaning, node: n.Integral) -> Any:
+def _integral(meaning: Expressions, node: n.Integral) -> Any:
     body, by = meaning.of(node.of), node.by
     if node.lower is None and node.upper is None and meaning.of(by) == s.r_vec:
         return eq.VolumeIntegral(Symbol("d3r"), body)
@@ -279,7 +279,7 @@ def _integral(meaning: Meaning, node: n.Integral) -> Any:
     return eq.IntegralOver(meaning.of(by), meaning.of(node.lower), meaning.of(node.upper), body)
 
 
-def _braced(meaning: Meaning, node: n.Braced) -> Any:
+def _braced(meaning: Expressions, node: n.Braced) -> Any:
     if node.label is None:
         raise UnknownError(f"words beneath a brace: {node.words!r}")
     body, label = meaning.of(node.of), meaning.of(node.label)
@@ -288,7 +288,7 @@ def _braced(meaning: Meaning, node: n.Braced) -> Any:
     return eq.Underbrace(body, label)
 
 
-def _matrix(meaning: Meaning, rows: Sequence[Sequence[n.Node]]) -> Any:
+def _matrix(meaning: Expressions, rows: Sequence[Sequence[n.Node]]) -> Any:
     if len({len(row) for row in rows}) > 1:
         raise UnknownError("a matrix with rows of different lengths")
     if len(rows) > LARGEST or len(rows[0]) > LARGEST:
@@ -300,7 +300,7 @@ def _matrix(meaning: Meaning, rows: Sequence[Sequence[n.Node]]) -> Any:
     return sympy.ImmutableMatrix(entries)
 
 
-def _transposed(meaning: Meaning, node: n.Transposed) -> Any:
+def _transposed(meaning: Expressions, node: n.Transposed) -> Any:
     of = meaning.of(node.of)
     if isinstance(of, MatrixBase):
         return of.T
@@ -309,7 +309,7 @@ def _transposed(meaning: Meaning, node: n.Transposed) -> Any:
     return eq.Transposed(of)
 
 
-def _absolute(meaning: Meaning, node: n.Absolute) -> Any:
+def _absolute(meaning: Expressions, node: n.Absolute) -> Any:
     of = meaning.of(node.of)
     if kind(of) == "matrix":
         raise UnknownError("bars round a matrix: write det")
@@ -318,7 +318,7 @@ def _absolute(meaning: Meaning, node: n.Absolute) -> Any:
     return sympy.Abs(of, evaluate=False)
 
 
-def _dot(meaning: Meaning, node: n.Dot) -> Any:
+def _dot(meaning: Expressions, node: n.Dot) -> Any:
     left, right = meaning.of(node.left), meaning.of(node.right)
     if kind(left) == kind(right) == "vector":
         return eq.Dot(left, right)
@@ -327,7 +327,7 @@ def _dot(meaning: Meaning, node: n.Dot) -> Any:
     raise UnknownError(f"· between a {kind(left)} and a {kind(right)}")
 
 
-def _cross(meaning: Meaning, node: n.Cross) -> Any:
+def _cross(meaning: Expressions, node: n.Cross) -> Any:
     left, right = meaning.of(node.left), meaning.of(node.right)
     if kind(left) == kind(right) == "vector":
         return eq.Cross(left, right)
@@ -345,7 +345,7 @@ _FUNCTIONS: dict[str, Any] = {
 }
 
 
-_HANDLERS: dict[type, Callable[[Meaning, Any], Any]] = {
+_HANDLERS: dict[type, Callable[[Expressions, Any], Any]] = {
     n.Letter: _letter,
     n.Primed: _primed,
     n.Rate: _rate,

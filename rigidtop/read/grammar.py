@@ -1,7 +1,7 @@
 """The grammar of formulas, as a physicist reads them: sums, products, and the factors in them.
 
-Where a text can mean two things, `Reading` says which is taken.  How each factor is read is told
-by `FactorRules`, which `rigidtop.read.factors` has.
+Where a text can mean two things, `ReadingRules` says which is taken.  How each factor is read is
+told by `FactorRules`, which `rigidtop.read.factors` has.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from rigidtop.tree.nodes import (
 
 
 @dataclass(frozen=True)
-class Reading:
+class ReadingRules:
     """How is read what can be read in two ways.
 
     `calls`: M(x) is a function at a place, not a product; `gathered`: a/bc is a/(bc);
@@ -77,10 +77,15 @@ class Grammar:
         self,
         items: Sequence[Token],
         rules: FactorRules,
-        reading: Reading | None = None,
+        reading: ReadingRules | None = None,
         depth: int = 0,
     ) -> None:
-        self.items, self.rules, self.reading, self.depth = items, rules, reading or Reading(), depth
+        self.items, self.rules, self.reading, self.depth = (
+            items,
+            rules,
+            reading or ReadingRules(),
+            depth,
+        )
         self.at = 0
         self.bars = 0
         self.integrals = 0

@@ -14,10 +14,10 @@ from rigidtop.tree.nodes import (
     Group,
     Letter,
     Node,
-    Order,
     Primed,
     Product,
     Rate,
+    Remainder,
     mapped,
     ungrouped,
 )
@@ -43,7 +43,7 @@ def letter(grammar: Grammar) -> Node:
 
 def _order(grammar: Grammar) -> Node:
     """An order of magnitude by its bracket: O(x²)."""
-    return Order(ungrouped(grammar.primary([])))
+    return Remainder(ungrouped(grammar.primary([])))
 
 
 def _name(node: Node) -> Node:

@@ -295,7 +295,7 @@ class _Reader:
                 self.fault(at, f"{called!r} has no source: say in front of it whose law it is")
             origin = pieces(source, self.notation)
             return replace(made, scope=scope, called=called, source=source, origin=origin)
-        context = language.Context(self.above, self.notation, self.page, self.near)
+        context = language.Antecedents(self.above, self.notation, self.page, self.near)
         defined = language.definition(said, context)
         if defined is not None:
             name, using = defined

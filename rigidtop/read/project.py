@@ -37,7 +37,7 @@ _COMMENT = re.compile(r"(?<!\\)%[^\n]*")
 
 
 @dataclass(frozen=True)
-class Source:
+class TextFile:
     """The text of one file; `cells` are the lines in which a notebook's cells begin."""
 
     path: Path
@@ -52,14 +52,14 @@ class Source:
     def place(self, line: int) -> tuple[int, int]:
         """In which cell of text a line stands, counted from 1, and in which line of it.
 
-        >>> Source(Path("a.ipynb"), "one\\n\\ntwo", (1, 3)).place(3)
+        >>> TextFile(Path("a.ipynb"), "one\\n\\ntwo", (1, 3)).place(3)
         (2, 1)
         """
         cell = bisect_right(self.cells, line)
         return cell, line - self.cells[cell - 1] + 1
 
 
-def sources(path: Path | str, text: str | None = None) -> tuple[Source, ...]:
+def sources(path: Path | str, text: str | None = None) -> tuple[TextFile, ...]:
     """A file, and those that it takes in, in order.  Raises RigidtopError for what is no text.
 
     With `text` that is what stands in the file, whatever has been saved.
@@ -67,7 +67,7 @@ def sources(path: Path | str, text: str | None = None) -> tuple[Source, ...]:
     top = Path(path)
     if top.suffix == ".ipynb":
         return (_notebook(top),)
-    found = [Source(top, text_of(top) if text is None else text)]
+    found = [TextFile(top, text_of(top) if text is None else text)]
     if top.suffix in _LATEX:
         folder = top.resolve().parent
         _take_in(found, found[0], folder, {top.resolve()}, 1)
@@ -77,7 +77,7 @@ def sources(path: Path | str, text: str | None = None) -> tuple[Source, ...]:
 
 
 def _take_in(
-    found: list[Source], source: Source, folder: Path, seen: set[Path], depth: int
+    found: list[TextFile], source: TextFile, folder: Path, seen: set[Path], depth: int
 ) -> None:
     if depth > DEEPEST:
         return
@@ -85,11 +85,11 @@ def _take_in(
         if inner is None or inner in seen or len(found) >= MOST:
             continue
         seen.add(inner)
-        found.append(Source(inner, text_of(inner)))
+        found.append(TextFile(inner, text_of(inner)))
         _take_in(found, found[-1], folder, seen, depth + 1)
 
 
-def _inputs(source: Source, folder: Path) -> Iterator[tuple[re.Match[str], str, Path | None]]:
+def _inputs(source: TextFile, folder: Path) -> Iterator[tuple[re.Match[str], str, Path | None]]:
     """Where a file takes others in, in order, by which name, and which, if they are there."""
     bare = _COMMENT.sub(lambda found: " " * len(found[0]), source.text)
     for match in _TAKES_IN.finditer(bare):
@@ -97,7 +97,7 @@ def _inputs(source: Source, folder: Path) -> Iterator[tuple[re.Match[str], str, 
             yield match, name, _within(folder, source.path.resolve().parent, name.strip())
 
 
-def left_out(source: Source, found: tuple[Source, ...]) -> Iterator[tuple[int, str]]:
+def left_out(source: TextFile, found: tuple[TextFile, ...]) -> Iterator[tuple[int, str]]:
     """Where a file takes in what was not read, a package aside, and why it was not."""
     if found[0].path.suffix not in _LATEX:
         return
@@ -112,11 +112,11 @@ def left_out(source: Source, found: tuple[Source, ...]) -> Iterator[tuple[int, s
 
 
 @dataclass(frozen=True)
-class Part:
+class FilePart:
     """A piece of a file: where it stands in the whole, and where in the file."""
 
     at: int
-    source: Source
+    source: TextFile
     start: int
     text: str
 
@@ -125,32 +125,32 @@ class Part:
 class Whole:
     """The text of files that belong together, each where it is taken in, styles left out."""
 
-    parts: tuple[Part, ...]
+    parts: tuple[FilePart, ...]
 
     @cached_property
     def text(self) -> str:
         return "".join(part.text for part in self.parts)
 
-    def part(self, position: int) -> Part:
+    def part(self, position: int) -> FilePart:
         """The piece in which a place of the whole lies."""
         return self.parts[bisect_right(self.parts, position, key=lambda part: part.at) - 1]
 
-    def origin(self, position: int) -> tuple[Source, int]:
+    def origin(self, position: int) -> tuple[TextFile, int]:
         """The file of a place of the whole, and the place in it."""
         part = self.part(position)
         return part.source, position - part.at + part.start
 
 
-def whole(found: tuple[Source, ...]) -> Whole:
+def whole(found: tuple[TextFile, ...]) -> Whole:
     """The files as one text."""
     left = {source.path.resolve(): source for source in found[1:] if source.is_text}
-    parts: list[Part] = []
+    parts: list[FilePart] = []
 
-    def lay(source: Source, start: int, end: int) -> None:
+    def lay(source: TextFile, start: int, end: int) -> None:
         at = parts[-1].at + len(parts[-1].text) if parts else 0
-        parts.append(Part(at, source, start, source.text[start:end]))
+        parts.append(FilePart(at, source, start, source.text[start:end]))
 
-    def lay_out(source: Source) -> None:
+    def lay_out(source: TextFile) -> None:
         at = 0
         for match, _, inner in _inputs(source, found[0].path.resolve().parent) if left else ():
             if inner is not None and inner in left:
@@ -163,7 +163,7 @@ def whole(found: tuple[Source, ...]) -> Whole:
     return Whole(tuple(part for part in parts if part.text) or tuple(parts[:1]))
 
 
-def macros_of(found: tuple[Source, ...]) -> Macros:
+def macros_of(found: tuple[TextFile, ...]) -> Macros:
     """The macros of files that belong together."""
     macros: Macros = PACKAGES
     for source in found:
@@ -171,7 +171,7 @@ def macros_of(found: tuple[Source, ...]) -> Macros:
     return macros
 
 
-def numbers(found: tuple[Source, ...]) -> dict[Path, list[Counted]]:
+def numbers(found: tuple[TextFile, ...]) -> dict[Path, list[Counted]]:
     """The rows of each file that bear a number, counted through all where they are taken in."""
     laid = whole(found)
     made: dict[Path, list[Counted]] = {source.path: [] for source in found}
@@ -201,7 +201,7 @@ _TAKEN = frozenset({".tex", ".sty", ".ltx", ".cls"})
 _LATEX = frozenset({".tex", ".ltx", ".latex"})
 
 
-def _notebook(path: Path) -> Source:
+def _notebook(path: Path) -> TextFile:
     try:
         content = json.loads(text_of(path))
         cells = [c["source"] for c in content["cells"] if c["cell_type"] == "markdown"]
@@ -212,4 +212,4 @@ def _notebook(path: Path) -> Source:
     for text in texts:
         lines.append(line)
         line += text.count("\n") + 2
-    return Source(path, "\n\n".join(texts), tuple(lines))
+    return TextFile(path, "\n\n".join(texts), tuple(lines))

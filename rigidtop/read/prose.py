@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 from rigidtop.read.left import states
-from rigidtop.read.scopes import Mark, scopes
+from rigidtop.read.scopes import Boundary, scopes
 from rigidtop.read.unmarked import unmarked
 from rigidtop.read.walk import DOCUMENT, Formula, Walk
 
@@ -52,7 +52,7 @@ _STOP = re.compile(
 )
 
 
-class Prose:
+class TextStructure:
     """The formulas of a text, its scopes and its sentences.
 
     `formulas` are those of the file, where it is `plain` with those outside of dollars.
@@ -118,16 +118,16 @@ class Prose:
 
 
 @lru_cache(maxsize=1)
-def prose_of(source: str, plain: bool) -> Prose:
+def prose_of(source: str, plain: bool) -> TextStructure:
     """The prose of a text, kept until another one is read: its letters and its formulas need it."""
-    return Prose(source, plain)
+    return TextStructure(source, plain)
 
 
 def _pieces(
     source: str,
     formulas: Sequence[Formula],
     skipped: Sequence[tuple[int, int]],
-    marks: Sequence[Mark],
+    marks: Sequence[Boundary],
     at: int,
 ) -> Iterator[str]:
     """The source in pieces, with signs for formulas and scopes, without comments and code."""

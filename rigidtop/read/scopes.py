@@ -74,7 +74,7 @@ _CLOSING = {"**": r"\*\*", "*": r"\*", "__": "__", "<b>": "</b>", "<strong>": "<
 
 
 @dataclass(frozen=True)
-class Mark:
+class Boundary:
     """Where a scope begins or ends, and the path of what follows.
 
     Its words begin at `words`; a title goes from there to `title`, and is a sentence of its own
@@ -98,8 +98,10 @@ class _Scope:
     """Whether it ends with its paragraph: "*On the level* it is so." without a display."""
 
 
-def scopes(source: str, covered: Sequence[tuple[int, int]] = (), tex: bool = False) -> list[Mark]:
-    """The marks of a text in order, those within what is `covered` (formulas, code) left out."""
+def scopes(
+    source: str, covered: Sequence[tuple[int, int]] = (), tex: bool = False
+) -> list[Boundary]:
+    """The boundaries in a text in order, those within what is `covered` (formulas, code) left out."""
     return [*_Outline(source, tex).marks(covered)]
 
 
@@ -112,7 +114,7 @@ class _Outline:
         self.open: list[_Scope] = []
         self.count = 0
 
-    def marks(self, covered: Sequence[tuple[int, int]]) -> Iterator[Mark]:
+    def marks(self, covered: Sequence[tuple[int, int]]) -> Iterator[Boundary]:
         spans, span = [*covered, (len(self.source) + 1, len(self.source) + 2)], 0
         for match in _MARK.finditer(self.source):
             while spans[span][1] <= match.start():
@@ -123,30 +125,30 @@ class _Outline:
             if mark is not None:
                 yield mark
 
-    def mark(self, match: re.Match[str]) -> Mark | None:
+    def mark(self, match: re.Match[str]) -> Boundary | None:
         start, end = match.span()
         if match["hash"] or match["underlined"]:
             return self.line(match)
         if match["section"] or match["html"]:
             self.enter(HEADINGS[match["section"]] if match["section"] else int(match["html"]))
             close = self.brace(end) if match["section"] else self.until("</h|\n", end)
-            return Mark(start, self.path, end, close, alone=True)
+            return Boundary(start, self.path, end, close, alone=True)
         if match["rule"]:
             if self.source[:start].strip():
                 self.enter(RULE)
-            return Mark(start, self.path, end)
+            return Boundary(start, self.path, end)
         if match["side"]:
             return self.environment(match)
         if match["item"]:
             return self.item(match)
         if match["paragraph"]:
             self.enter(TITLE)
-            return Mark(start, self.path, end, self.brace(end))
+            return Boundary(start, self.path, end, self.brace(end))
         if match["entry"] or match["text"]:
             return None if self.tex else self.entry(match)
         return self.title(match)
 
-    def line(self, match: re.Match[str]) -> Mark | None:
+    def line(self, match: re.Match[str]) -> Boundary | None:
         """A heading of Markdown and its like."""
         if self.tex:
             return None
@@ -157,9 +159,9 @@ class _Outline:
         else:
             self.enter(1 + UNDERLINES.index(match["under"][0]))
             end = match.end("underlined")
-        return Mark(start, self.path, words, end, alone=True)
+        return Boundary(start, self.path, words, end, alone=True)
 
-    def title(self, match: re.Match[str]) -> Mark | None:
+    def title(self, match: re.Match[str]) -> Boundary | None:
         """A paragraph that begins in bold type, or with the name of an exercise."""
         bold, (start, end) = match["bold"], match.span()
         level = next(
@@ -176,15 +178,15 @@ class _Outline:
             return None
         self.enter(level)
         if not bold:
-            return Mark(start, self.path, start)
+            return Boundary(start, self.path, start)
         if bold == "*" and self.is_whole(start):
             self.open[-1] = replace(self.open[-1], brief=True)
         closing = _CLOSING.get(bold)
         words = match.end("bold")
         close = self.until(closing, end) if closing else self.brace(words)
-        return Mark(start, self.path, words, close)
+        return Boundary(start, self.path, words, close)
 
-    def environment(self, match: re.Match[str]) -> Mark | None:
+    def environment(self, match: re.Match[str]) -> Boundary | None:
         name, (start, end) = match["name"], match.span()
         if match["side"] == "begin" and len(self.open) < DEEPEST:
             self.push(ENVIRONMENT, name)
@@ -195,17 +197,17 @@ class _Outline:
                 self.open.pop()  # it was the item of the list
         else:
             return None
-        return Mark(start, self.path, end)
+        return Boundary(start, self.path, end)
 
-    def item(self, match: re.Match[str]) -> Mark | None:
+    def item(self, match: re.Match[str]) -> Boundary | None:
         lists = [i for i, scope in enumerate(self.open) if scope.level == ENVIRONMENT]
         if not lists:
             return None
         del self.open[lists[-1] + 1 :]
         self.push(ENTRY, self.open[-1].environment)
-        return Mark(match.start(), self.path, match.end())
+        return Boundary(match.start(), self.path, match.end())
 
-    def entry(self, match: re.Match[str]) -> Mark | None:
+    def entry(self, match: re.Match[str]) -> Boundary | None:
         """An entry of a list, a row of a table, or the paragraph that ends them."""
         start, end = match.span()
         indent = len((match["left"] if match["text"] else match["indent"]).expandtabs(4))
@@ -218,11 +220,11 @@ class _Outline:
                 if self.open[-1].environment:
                     break
                 self.open.pop()
-            return Mark(start, self.path, end) if len(self.open) < before else None
+            return Boundary(start, self.path, end) if len(self.open) < before else None
         if match["count"] not in (None, "1") and not within and not self.begins(start):
             return None
         self.enter(ENTRY + indent)
-        return Mark(start, self.path, end)
+        return Boundary(start, self.path, end)
 
     # The scopes that are open
 

@@ -72,7 +72,7 @@ _ARTICLE = re.compile(r"\b(?:the|an?) (?=\$)", re.I)
 
 
 @dataclass(frozen=True)
-class Context:
+class Antecedents:
     """What sentences may speak of: the lines above, in order, and how letters are written."""
 
     above: Sequence[Known]
@@ -83,7 +83,7 @@ class Context:
     """Those beneath the last heading, of which "it" is the last."""
 
 
-def move(sentence: str, context: Context) -> Move:
+def move(sentence: str, context: Antecedents) -> Move:
     """The move that a sentence says.  Raises SentenceError."""
     plain = _capital(_ARTICLE.sub("", _plain(sentence)))
     body, using, where = _circumstances(plain, context)
@@ -123,7 +123,7 @@ def _alike(letter: Symbol, glyphs: Mapping[Glyph, Symbol], notation: Notation) -
 
 
 def _circumstances(
-    plain: str, context: Context
+    plain: str, context: Antecedents
 ) -> tuple[str, tuple[Known, ...], tuple[Condition, ...]]:
     """The sentence without "using …" and "for …", in front or behind, and what these say."""
     opening = _OPENING.fullmatch(plain)
@@ -148,7 +148,7 @@ def _circumstances(
         plain = body
 
 
-def _condition(latex: str, context: Context) -> Condition:
+def _condition(latex: str, context: Antecedents) -> Condition:
     equation = _equation(latex, context)
     if len(equation.sides) != 2:
         raise SentenceError(f"${latex}$: two sides, and another condition behind an “and”")
@@ -161,14 +161,14 @@ def _condition(latex: str, context: Context) -> Condition:
     raise SentenceError(f"a condition is ≠, > or <, not {equation.relation}")
 
 
-def _equation(latex: str, context: Context) -> Equation:
+def _equation(latex: str, context: Antecedents) -> Equation:
     lines = read(latex, context.notation)
     if len(lines) != 1 or lines[0].equation is None:
         raise SentenceError(f"${latex}$ is not read: {lines[0].problem}")
     return lines[0].equation
 
 
-def _expression(latex: str, context: Context) -> Expr:
+def _expression(latex: str, context: Antecedents) -> Expr:
     side, *more = _equation(latex + " = 0", context).sides
     if len(more) > 1:
         raise SentenceError(f"${latex}$ is an equation: its left side says which is meant")
@@ -183,7 +183,7 @@ def _only_and(said: str) -> list[str]:
     return found
 
 
-def _list(said: str, context: Context) -> tuple[Known, ...]:
+def _list(said: str, context: Antecedents) -> tuple[Known, ...]:
     """What "A, B and C" names."""
     said = said.strip()
     if said in ("both", "both of them"):
@@ -199,13 +199,13 @@ def _list(said: str, context: Context) -> tuple[Known, ...]:
     return tuple(k for part in parts for k in _list(part, context))
 
 
-def _last(context: Context, count: int) -> tuple[Known, ...]:
+def _last(context: Antecedents, count: int) -> tuple[Known, ...]:
     if len(context.near) < count:
         raise SentenceError("there are not so many lines above, beneath this heading: name them")
     return tuple(context.near[-count:])
 
 
-def _named(said: str, context: Context) -> Known | None:
+def _named(said: str, context: Antecedents) -> Known | None:
     if said in ("it", "It", "this", "both sides", "the right-hand side"):
         return _last(context, 1)[0]
     number = re.fullmatch(r"\(([^()\s]+)\)", said)
@@ -219,7 +219,7 @@ def _named(said: str, context: Context) -> Known | None:
     return next((k for k in reversed(context.above) if k.called and _key(k.called) == name), None)
 
 
-def _of_equation(sides: Sequence[Expr], context: Context) -> Known | None:
+def _of_equation(sides: Sequence[Expr], context: Antecedents) -> Known | None:
     """The last line above that says an equation."""
     for known in reversed(context.above):
         own = tuple(e for e in known.equations if e.sides == sides and e.relation == "=")
@@ -228,7 +228,7 @@ def _of_equation(sides: Sequence[Expr], context: Context) -> Known | None:
     return None
 
 
-def _of_letter(letter: Expr, context: Context) -> Known | None:
+def _of_letter(letter: Expr, context: Antecedents) -> Known | None:
     """The last equation of this page, else of those before, that says what a letter is."""
     for lines in (context.page, context.above):
         for says in (_says_what, _says_constant, _bounds):
@@ -252,7 +252,7 @@ def _bounds(letter: Expr, equation: Equation) -> bool:
     return equation.relation in "<≤≥>" and bool(equation.sides[0] == letter)
 
 
-def is_taken(name: str, context: Context) -> bool:
+def is_taken(name: str, context: Antecedents) -> bool:
     """Whether something above goes by a name."""
     return any(k.called and _key(k.called) == _key(name) for k in context.above)
 
@@ -262,7 +262,7 @@ def _key(name: str) -> str:
     return " ".join(words.split()).lower()
 
 
-def _unknown(said: str, context: Context) -> str:
+def _unknown(said: str, context: Antecedents) -> str:
     from difflib import get_close_matches
 
     names = [k.called for k in context.above if k.called] + [
@@ -297,10 +297,10 @@ class _Shape(NamedTuple):
     power: int = 0
     by: tuple[Any, ...] = ()
 
-    def move(self, parts: Mapping[str, str | None], context: Context) -> Move:
+    def move(self, parts: Mapping[str, str | None], context: Antecedents) -> Move:
         """The move that a sentence of this shape says."""
 
-        def each(names: str, take: Callable[[str, Context], Sequence[Any]]) -> tuple[Any, ...]:
+        def each(names: str, take: Callable[[str, Antecedents], Sequence[Any]]) -> tuple[Any, ...]:
             said = (parts[name] or _ABOVE.get(name) for name in names if name in parts)
             return tuple(x for part in said if part for x in take(part, context))
 
@@ -325,17 +325,17 @@ _ABOVE = dict.fromkeys("abu", "it")
 """What is meant where a sentence does not name a line."""
 
 
-def _math(said: str, context: Context) -> tuple[Expr, ...]:
+def _math(said: str, context: Antecedents) -> tuple[Expr, ...]:
     return tuple(_expression(latex, context) for latex in _only_and(said))
 
 
-def _divisor(said: str, context: Context) -> tuple[Expr, ...]:
+def _divisor(said: str, context: Antecedents) -> tuple[Expr, ...]:
     """What both sides are divided by; that it does not vanish may be said, and is always asked."""
     latex, *zero = re.split(r"\\neq? *0(?=\$$)|≠ *0(?=\$$)", said)
     return _math(latex + "$" if zero else said, context)
 
 
-def _settings(said: str, context: Context) -> tuple[Equation, ...]:
+def _settings(said: str, context: Antecedents) -> tuple[Equation, ...]:
     found = tuple(_equation(latex, context) for latex in _only_and(said))
     for latex, equation in zip(_only_and(said), found, strict=True):
         if equation.relation != "=" or len(equation.sides) != 2:
@@ -343,7 +343,7 @@ def _settings(said: str, context: Context) -> tuple[Equation, ...]:
     return found
 
 
-def _index(said: str, _: Context) -> tuple[Symbol]:
+def _index(said: str, _: Antecedents) -> tuple[Symbol]:
     return (Symbol(said),)
 
 
@@ -449,7 +449,7 @@ _OPENING = re.compile(
 )
 
 
-def definition(words: str, context: Context) -> tuple[str, tuple[Known, ...]] | None:
+def definition(words: str, context: Antecedents) -> tuple[str, tuple[Known, ...]] | None:
     """The name that a definition gives, and what it cites; None for another sentence."""
     plain = _plain(words)
     opening = _OPENING.fullmatch(plain)
@@ -477,4 +477,4 @@ _EXAMPLES = tuple(
 """The sentences of the table at the top."""
 
 
-__all__ = ["BODY", "SPACE", "Context", "SentenceError", "Symbol", "definition", "move"]
+__all__ = ["BODY", "SPACE", "Antecedents", "SentenceError", "Symbol", "definition", "move"]

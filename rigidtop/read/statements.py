@@ -17,7 +17,7 @@ from typing import Final
 
 from rigidtop.read.dress import BOLD
 from rigidtop.read.factors import FACTORS, word
-from rigidtop.read.grammar import Grammar, Reading
+from rigidtop.read.grammar import Grammar, ReadingRules
 from rigidtop.read.macros import PACKAGES, Macros, expanded
 from rigidtop.read.shapes import parted
 from rigidtop.read.tex import UnreadError, listed, pieces
@@ -71,12 +71,12 @@ def statements(
     >>> [len(each.sides) for each in statements(r"a = b = c,\quad d > 0 \Rightarrow e = f")]
     [3, 2, 2]
     """
-    reading = Reading(functions=functions, lettered=lettered, differentials=differentials)
+    reading = ReadingRules(functions=functions, lettered=lettered, differentials=differentials)
     return _usual(text, reading) if macros is PACKAGES else _read(text, macros, reading)
 
 
 @lru_cache(maxsize=5_000)
-def _usual(text: str, reading: Reading) -> Read:
+def _usual(text: str, reading: ReadingRules) -> Read:
     """What a formula in which no macros are defined states; a text is often read twice."""
     return _read(text, PACKAGES, reading)
 
@@ -89,7 +89,7 @@ def readings(
     >>> len(readings("a/bc = M(x)"))
     3
     """
-    usual = Reading(functions=functions)
+    usual = ReadingRules(functions=functions)
     others = [
         replace(usual, calls=False),
         replace(usual, gathered=False),
@@ -100,7 +100,7 @@ def readings(
     return (first, *(read for read in more if not any(isinstance(x, Unread) for x in read)))
 
 
-def _read(text: str, macros: Macros, reading: Reading) -> Read:
+def _read(text: str, macros: Macros, reading: ReadingRules) -> Read:
     own = {name: each for name, each in macros.items() if each is not PACKAGES.get(name)}
     packed = {
         name: each for name, each in PACKAGES.items() if name not in (*own, *DERIVATIVES, r"\qty")
@@ -111,7 +111,7 @@ def _read(text: str, macros: Macros, reading: Reading) -> Read:
         return (Unread(error.position, error.reason),)
     if len(items) <= 3 and {x.kind for x in items if x.text not in _MARKS} <= _EMPTY:
         return ()
-    found = tuple(_Text(joined(items), reading).all())
+    found = tuple(_StatementReader(joined(items), reading).all())
     match found:
         case (Unread(position),) if position > items[-1].position and not _relates(items):
             return ()  # an operator, d/dt, that is called by its sign
@@ -216,10 +216,10 @@ class _Draft:
     continues: bool = False
 
 
-class _Text(Grammar):
+class _StatementReader(Grammar):
     """Reads statements one after the other."""
 
-    def __init__(self, items: Sequence[Token], reading: Reading, depth: int = 0) -> None:
+    def __init__(self, items: Sequence[Token], reading: ReadingRules, depth: int = 0) -> None:
         super().__init__(items, FACTORS, reading, depth)
         self.found: list[Statement | Unread] = []
         self.tag = ""
@@ -305,7 +305,7 @@ class _Text(Grammar):
     def bracketed(self) -> None:
         """A statement in brackets is the condition of the one before."""
         end = self.partners[self.at]
-        inner = _Text(self.items[self.at + 1 : end], self.reading, self.depth + 1)
+        inner = _StatementReader(self.items[self.at + 1 : end], self.reading, self.depth + 1)
         self.at = end + 1
         for each in inner.all():
             self.keep(each, condition=True)
@@ -372,7 +372,7 @@ class _Text(Grammar):
 
     def read(self, tokens: Sequence[Token]) -> list[Statement | Unread]:
         """The statements of some tokens within this one."""
-        return _Text([*tokens], self.reading, self.depth + 1).all()
+        return _StatementReader([*tokens], self.reading, self.depth + 1).all()
 
     def conditioned(self, cells: Sequence[Sequence[Token]]) -> list[Statement | Unread]:
         """A row of cases with its condition in the last cell; nothing where that says no more."""
@@ -396,7 +396,7 @@ class _Text(Grammar):
             if draft is None:
                 self.found += self.conditioned(cells) or self.read(joined(row))
                 continue
-            value = _Text(cells[0], self.reading, self.depth + 1)
+            value = _StatementReader(cells[0], self.reading, self.depth + 1)
             behind = [each for cell in cells[1:] for each in cell]
             try:
                 side = value.side()
@@ -406,7 +406,9 @@ class _Text(Grammar):
                 self.found.append(Unread(error.position, error.reason))
                 continue
             self.found.append(made)
-            rest = _Text([*value.items[value.at :], *behind], self.reading, self.depth + 1)
+            rest = _StatementReader(
+                [*value.items[value.at :], *behind], self.reading, self.depth + 1
+            )
             rest.found, rest.condition = [made], True
             self.found[-1:] = rest.all()
 

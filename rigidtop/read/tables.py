@@ -11,7 +11,7 @@ _RULE = re.compile(r"[-: ]+")
 
 
 @dataclass(frozen=True)
-class Row:
+class TableRow:
     """A row of a table with its cells, and the line of the file in which it stands."""
 
     line: int
@@ -23,7 +23,7 @@ def is_of_letters(paragraph: str) -> bool:
     return _TABLE.fullmatch(paragraph.rstrip()) is not None
 
 
-def rows(source: str) -> Iterator[Row]:
+def rows(source: str) -> Iterator[TableRow]:
     """The rows of all tables of letters, without their heads.
 
     >>> [row.cells for row in rows("| letter | unit |\\n| --- | --- |\\n| $m$ | kg |")]
@@ -34,4 +34,4 @@ def rows(source: str) -> Iterator[Row]:
         for k, line in enumerate(table[0].splitlines()):
             cells = tuple(cell.strip() for cell in line.strip().strip("|").split("|"))
             if k and not all(_RULE.fullmatch(cell) for cell in cells):
-                yield Row(first + k, cells)
+                yield TableRow(first + k, cells)

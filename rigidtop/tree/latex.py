@@ -266,5 +266,5 @@ _WRITERS: Final[dict[type[Node], Callable[..., str]]] = {
     n.At: _at,
     n.Braced: _braced,
     n.Limit: lambda x: rf"\lim_{{{latex(x.letter)} \to {latex(x.place)}}} {_within(x.of, DOT)}",
-    n.Order: lambda x: "O" + _bracketed(latex(ungrouped(x.of))),
+    n.Remainder: lambda x: "O" + _bracketed(latex(ungrouped(x.of))),
 }

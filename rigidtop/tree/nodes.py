@@ -292,7 +292,7 @@ class Limit(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Order(Node):
+class Remainder(Node):
     """The terms that are left out, such as O(ε²)."""
 
     of: Node

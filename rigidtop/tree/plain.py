@@ -214,5 +214,5 @@ _WRITERS: Final[dict[type[Node], Callable[..., str]]] = {
     n.At: _at,
     n.Braced: _braced,
     n.Limit: lambda x: f"lim_{{{plain(x.letter)}→{plain(x.place)}}} {within(x.of, TERM)}",
-    n.Order: lambda x: f"O({plain(x.of)})",
+    n.Remainder: lambda x: f"O({plain(x.of)})",
 }

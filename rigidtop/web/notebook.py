@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from rigidtop.errors import RigidtopError
 from rigidtop.motion import checks
 from rigidtop.motion.motion import Motion
-from rigidtop.web.page import Page, page_of
+from rigidtop.web.page import LivePage, page_of
 
 if TYPE_CHECKING:
     from rigidtop.motion.table.motion import SlidingMotion
@@ -50,7 +50,7 @@ def page_for(
     motion: Motion | SystemMotion | SlidingMotion,
     height: int = 760,
     points: Sequence[Sequence[Any]] = (),
-) -> Page:
+) -> LivePage:
     """The page that `show` displays; its `html` is a file that needs nothing else.
 
     Raises RigidtopError for bodies that it doesn't know, for what has no counterpart in JavaScript,

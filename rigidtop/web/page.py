@@ -31,7 +31,7 @@ TABLEAU = ("A", "B", "E3", "E5", "D", "A_EXTRA")
 
 
 @dataclass(frozen=True)
-class Page:
+class LivePage:
     """A page, as a file or in a notebook."""
 
     title: str
@@ -48,7 +48,7 @@ class Page:
         )
 
 
-def page(kind: str, first: Preset | None = None, height: int = Page.height) -> Page:
+def page(kind: str, first: Preset | None = None, height: int = LivePage.height) -> LivePage:
     """The page of a kind of body, which shows a preset of that kind first.
 
     Raises RigidtopError where three.js is not installed.
@@ -57,7 +57,7 @@ def page(kind: str, first: Preset | None = None, height: int = Page.height) -> P
     preset = first or presets[0]
     title = TITLES[kind]
     text = json_text(data(kind, title, presets, preset))
-    return Page(title, document(title, text), height)
+    return LivePage(title, document(title, text), height)
 
 
 def document(title: str, text: str, main: str = "top", derived: str = "") -> str:
@@ -86,7 +86,7 @@ def _packed(script: str) -> str:
 STYLES = ("style", "panels")
 
 
-def page_of(motion: Motion, height: int = Page.height) -> Page:
+def page_of(motion: Motion, height: int = LivePage.height) -> LivePage:
     """The page that shows a motion first.
 
     Raises RigidtopError for bodies that it doesn't know, and where three.js is not installed.

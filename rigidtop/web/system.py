@@ -23,7 +23,7 @@ from rigidtop.system.numeric import BALANCE, Computed
 from rigidtop.system.parts import Body, Mass, single
 from rigidtop.typeset.mathml import display, mathml
 from rigidtop.typeset.text import text
-from rigidtop.web.page import Page, common, document, json_text
+from rigidtop.web.page import LivePage, common, document, json_text
 from rigidtop.web.setup import Preset, Setup
 
 Points = Sequence[Sequence[Any]]
@@ -32,12 +32,14 @@ LONGEST, WIDTH = 150, 30.0
 """Operations in an equation that a reader can take in, and how wide a line of it is, in em."""
 
 
-def page_of_system(motion: SystemMotion, points: Points = (), height: int = Page.height) -> Page:
+def page_of_system(
+    motion: SystemMotion, points: Points = (), height: int = LivePage.height
+) -> LivePage:
     """The page of a system's motion; see `rigidtop.show`."""
     title = "Motion in " + ", ".join(map(text, motion.system.names.q))
     scene = Scene(motion.system, points)
     written = document(title, json_text(data(motion, scene, title)), "system", scene.module())
-    return Page(title, written, height)
+    return LivePage(title, written, height)
 
 
 class Scene:

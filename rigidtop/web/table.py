@@ -21,7 +21,7 @@ from rigidtop.motion.table.motion import SlidingMotion, SlidingTop
 from rigidtop.motion.table.trajectory import SlidingTrajectory
 from rigidtop.theory import rotation
 from rigidtop.theory import symbols as s
-from rigidtop.web.page import Page, common, document, json_text
+from rigidtop.web.page import LivePage, common, document, json_text
 from rigidtop.web.setup import Preset, Setup
 
 LONGEST, ROWS = 10.0, 200
@@ -48,7 +48,7 @@ ENDS = {
 HAPPENS = {"standstill": "its contact stops slipping", "slip": "its contact slips again"}
 
 
-def page_of_table(motion: SlidingMotion, height: int = Page.height) -> Page:
+def page_of_table(motion: SlidingMotion, height: int = LivePage.height) -> LivePage:
     """The page of a top on a table; see `rigidtop.show`.
 
     Raises RigidtopError where it cannot be integrated.
@@ -61,7 +61,7 @@ def page_of_table(motion: SlidingMotion, height: int = Page.height) -> Page:
         except RigidtopError:
             continue  # the motion that was given is possible, this one is not
     text = json_text(data(runs, title))
-    return Page(title, document(title, text, "system", module(motion.body)), height)
+    return LivePage(title, document(title, text, "system", module(motion.body)), height)
 
 
 def integrated(motion: SlidingMotion) -> SlidingTrajectory:

@@ -24,7 +24,7 @@ def test_places_on_the_paper_are_pairs_or_points(axes):
 
 
 def test_marks_and_angles_have_names(axes):
-    named = pen.Mark((1.0, 2.0), "red", words="here", shift=(3, 4), ink="blue")
+    named = pen.Markers((1.0, 2.0), "red", words="here", shift=(3, 4), ink="blue")
     pen.draw(axes, [named, *pen.angle(bow(1.0, 0.0, math.pi), r"$\theta$", out=2.0)])
     here, theta = axes.texts
     assert (here.get_text(), here.xy, here.xyann, here.get_color()) == (
@@ -63,7 +63,7 @@ def test_faces_of_a_box_look_outwards():
 def test_a_film_draws_anew_in_its_boxes():
     def fill(share, left, right):
         for axes in (left, right):
-            pen.draw(axes, [pen.Mark((share, 0.0))])
+            pen.draw(axes, [pen.Markers((share, 0.0))])
 
     boxes = (0.0, 0.0, 0.4, 1.0), (0.5, 0.1, 0.5, 0.9)
     film_of_marks = film(4.0, 2.0, fill, *boxes)

@@ -6,12 +6,12 @@ import pytest
 
 from rigidtop.collection import built_in
 from rigidtop.commands.notes import audited
-from rigidtop.read.project import Source
+from rigidtop.read.project import TextFile
 
 
 def passed(text):
     """What becomes of the last formula."""
-    return audited([Source(Path("notes.md"), text)], built_in()).findings[-1].record["passed"]
+    return audited([TextFile(Path("notes.md"), text)], built_in()).findings[-1].record["passed"]
 
 
 PENDULUM = "$$ L = \\frac12 m l^2\\dot\\theta^2 + m g l\\cos\\theta $$ "

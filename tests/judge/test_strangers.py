@@ -6,7 +6,7 @@ import pytest
 
 from rigidtop.collection import built_in
 from rigidtop.commands.notes import audited
-from rigidtop.read.project import Source
+from rigidtop.read.project import TextFile
 
 PENDULUM = "The pendulum obeys $m l^2\\ddot\\theta + m g l\\sin\\theta = 0$. "
 OSCILLATOR = "It obeys $\\ddot x = -\\omega^2 x$. Its solution is "
@@ -48,11 +48,11 @@ OSCILLATOR = "It obeys $\\ddot x = -\\omega^2 x$. Its solution is "
     ],
 )
 def test_what_becomes_of_the_last_formula(text, expected):
-    rows = audited([Source(Path("notes.md"), text)], built_in()).findings
+    rows = audited([TextFile(Path("notes.md"), text)], built_in()).findings
     assert rows[-1].record["passed"] is expected, rows[-1].record["note"]
 
 
 def test_a_sum_over_small_steps_is_no_failure_of_ours():
     text = r"$$W = \sum_{i=0}^{n} F_i\Delta x_i$$ For $n\to\infty$ and $\Delta x_i\to 0$."
-    rows = audited([Source(Path("notes.md"), text)], built_in()).findings
+    rows = audited([TextFile(Path("notes.md"), text)], built_in()).findings
     assert not any("fails" in row.record["note"] for row in rows)

@@ -9,7 +9,7 @@ from rigidtop.notation import NOTES
 from rigidtop.proof.moves import Known
 from rigidtop.read.equations import equations
 from rigidtop.read.page import read_beside
-from rigidtop.read.sentence import Context, SentenceError, definition, move
+from rigidtop.read.sentence import Antecedents, SentenceError, definition, move
 
 
 def known(latex, called=""):
@@ -24,7 +24,7 @@ LINES = (
     known(r"p_\phi = \lambda_1\dot\phi"),
     known(r"\dot p_\phi = 0"),
 )
-CONTEXT = Context(LINES, NOTES, LINES, LINES)
+CONTEXT = Antecedents(LINES, NOTES, LINES, LINES)
 
 
 @pytest.mark.parametrize(

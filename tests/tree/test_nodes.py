@@ -61,7 +61,7 @@ def _fields(below):
         n.At: (below, maybe, maybe, st.sampled_from(["", "B"])),
         n.Braced: (below, maybe, st.sampled_from(["", "zero"])),
         n.Limit: (below, LETTERS, below),
-        n.Order: (below,),
+        n.Remainder: (below,),
     }
 
 

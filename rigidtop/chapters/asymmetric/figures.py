@@ -80,7 +80,7 @@ def draw_section(axes: Axes, moments: Moments, energy: float) -> None:
     parts: list[pen.Part] = [pen.guide((chi, sign * edge)) for sign in (1.0, -1.0)]
     for k, each in enumerate(found):
         color, size, z = (look.SECOND, 1.6, 3) if k == one else (look.FIRST, 0.9, 2)
-        parts.append(pen.Mark(each, color, size, z=z, width=0.0))
+        parts.append(pen.Markers(each, color, size, z=z, width=0.0))
     pen.draw(axes, parts)
     axes.set(xlabel=r"$\chi$  (rad)", ylim=(-1.08 * most, 1.08 * most))
 
@@ -115,7 +115,7 @@ NEAR = 0.03
 VIEW = View(azimuth=0.6, elevation=0.2)
 
 
-class Pair(NamedTuple):
+class NeighbouringTops(NamedTuple):
     """Two tops beside each other at N times."""
 
     t: Floats
@@ -127,7 +127,7 @@ class Pair(NamedTuple):
 
 
 @lru_cache(maxsize=16)
-def pair(moments: Moments, chi: float) -> Pair:
+def pair(moments: Moments, chi: float) -> NeighbouringTops:
     """Two that start with E = MgR/2 and ω₃ = 0, as nearly at χ."""
     rates = angle_rates(LEVEL, chi, (*across(moments, ENERGY.default, chi, 0.0), 0.0))
     begin = [0.0, LEVEL, np.array([chi, chi + APART])]
@@ -136,7 +136,7 @@ def pair(moments: Moments, chi: float) -> Pair:
     q, qdot = motions.integrate(t, rtol=1e-12, atol=1e-14)
     axes = attitudes(q)
     states = np.concatenate([axes[..., 2, :], body_rates(q, qdot)], axis=-1)
-    return Pair(t, axes[..., 0], np.linalg.norm(states[1] - states[0], axis=-1))
+    return NeighbouringTops(t, axes[..., 0], np.linalg.norm(states[1] - states[0], axis=-1))
 
 
 def attitudes(q: Floats) -> Floats:
@@ -154,7 +154,7 @@ def body_rates(q: Floats, qdot: Floats) -> Floats:
     return np.asarray(qdot[..., :1] * gamma + qdot[..., 1:2] * nodes + spin)
 
 
-def exponent(two: Pair) -> tuple[float, float]:
+def exponent(two: NeighbouringTops) -> tuple[float, float]:
     """σ of the straight line that fits best, and the logarithm of δ with which it starts.
 
     It is fitted up to where the distance is no longer small for the first time.
@@ -185,7 +185,7 @@ def draw_distances(axes: Axes, lambda1: float, chi: float, until: int | None = N
 TRAIL = 40
 
 
-def draw_tips(axes: Axes, two: Pair, row: int) -> None:
+def draw_tips(axes: Axes, two: NeighbouringTops, row: int) -> None:
     """The axes of both at a row, and where they have been shortly before."""
     parts: list[pen.Part] = [pen.Sphere()]
     for tip, color in zip(two.tips, (look.SECOND, look.INK), strict=True):
@@ -194,7 +194,7 @@ def draw_tips(axes: Axes, two: Pair, row: int) -> None:
     pen.picture(axes, parts, (-1.15, 1.15), (-1.15, 1.15), VIEW)
 
 
-def parted(two: Pair) -> int:
+def parted(two: NeighbouringTops) -> int:
     """The row at which their axes are first a radius apart, or the last one."""
     far = np.flatnonzero(np.linalg.norm(two.tips[1] - two.tips[0], axis=-1) > 1.0)
     return int(far[0]) if len(far) else len(two.t) - 1

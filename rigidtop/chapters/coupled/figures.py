@@ -43,7 +43,7 @@ def pendulums(angles: Floats, light: bool = False) -> list[pen.Part]:
         for a, b, c in zip(pivots, x, y, strict=True)
     ]
     if light:
-        return [*parts, pen.Mark((x, y), color, 6, fill="white", z=1.5)]
+        return [*parts, pen.Markers((x, y), color, 6, fill="white", z=1.5)]
     along = np.linspace(0.0, 1.0, 4 * COILS + 1)
     bends = np.where((along > 0.12) & (along < 0.88), np.sin(2 * math.pi * COILS * along), 0.0)
     gap = np.array([x[1] - x[0], y[1] - y[0]])
@@ -52,9 +52,9 @@ def pendulums(angles: Floats, light: bool = False) -> list[pen.Part]:
     return [
         *parts,
         pen.Curve(spring, lw=0.8, z=2),
-        pen.Mark((x, y), look.FIRST, 10, fill=look.FACE, z=6),
+        pen.Markers((x, y), look.FIRST, 10, fill=look.FACE, z=6),
         pen.Curve(([-1.25, 1.25], 0.0), look.NOTE, 2.2, z=4),
-        pen.Mark((pivots, 0.0), look.NOTE, 2.5),
+        pen.Markers((pivots, 0.0), look.NOTE, 2.5),
     ]
 
 
@@ -111,7 +111,7 @@ def _curves(axes: Axes, k: int, theta: float, stiffness: float, until: float = 1
     ]
     parts += [pen.Curve((turns[shown], run[shown]), look.FIRST, 1.1)]
     if until < 1:
-        parts += [pen.Mark((turns[shown][-1], run[shown][-1]), look.FIRST, 4)]
+        parts += [pen.Markers((turns[shown][-1], run[shown][-1]), look.FIRST, 4)]
     most = 1.08 * math.degrees(theta)
     limits = {"xlim": (0, turns[-1]), "ylim": (-most, most)}
     pen.chart(axes, [*parts, pen.Rule(y=0.0)], "", rf"$\theta_{k + 1}$  (degrees)", **limits)

@@ -43,7 +43,7 @@ def draw_laboratory(axes: Axes, latitude: float) -> None:
         pen.Arrow(up, "", look.NOTE, 1.0),
         pen.Words(0.55 * up, r"$\mathbf{r}_0$", (-4, 5), look.NOTE, "right"),
         *pen.angle(0.42 * turn, r"$\lambda$", (8, -3), head=latitude > 0.15, z=4),
-        pen.Mark(up),
+        pen.Markers(up),
     ]
     parts += pen.frame(np.array([east, north, up]), 0.5, centre=up, lw=1.6, z=6)
     pen.picture(axes, parts, (-1.05, 1.65), (-1.15, 1.62), VIEW)
@@ -87,14 +87,14 @@ def draw_rosette(axes: Axes, swings: float, share: float = 1.0, held: bool = Fal
     parts: list[pen.Part] = [
         pen.guide(bow(1.0)),
         pen.Curve((x, y), look.FIRST, 1.0),
-        pen.Mark((1.0, 0.0), look.SECOND, 4, words="start", shift=(5, 0), va="center"),
+        pen.Markers((1.0, 0.0), look.SECOND, 4, words="start", shift=(5, 0), va="center"),
         pen.Words((0.0, 1.0), "N", (0, 4), look.NOTE, "center", size=look.SMALL),
         pen.Words((0.0, -1.0), "S", (0, -11), look.NOTE, "center", size=look.SMALL),
     ]
     if share < 1:
         plane = bow(1.0, math.pi - 2 * math.pi * share, -2 * math.pi * share, count=2)
         parts.append(pen.Curve(plane, look.SECOND, 0.9, look.DASHED))
-        parts.append(pen.Mark((x[-1], y[-1]), look.INK, 7, fill=look.FACE))
+        parts.append(pen.Markers((x[-1], y[-1]), look.INK, 7, fill=look.FACE))
     pen.picture(axes, parts, (-1.08, 1.36), (-1.2, 1.2))
 
 

@@ -60,7 +60,7 @@ def draw_sphere(axes: Axes, **moments: float) -> None:
         parts += [pen.on_sphere(sign * path, look.FIRST, lw=0.9) for path in paths(top)]
         parts.append(pen.on_sphere(both, look.SECOND, lw=1.7))
     parts += pen.frame(np.eye(3), 1.35, start=1.0, color=look.INK)
-    parts.append(pen.Mark(np.eye(3), size=3))
+    parts.append(pen.Markers(np.eye(3), size=3))
     pen.picture(axes, parts, (-1.3, 1.3), (-1.05, 1.45), VIEW)
 
 

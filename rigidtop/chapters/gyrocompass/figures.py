@@ -127,7 +127,7 @@ def draw_angles(axes: Axes, t: Floats, angle: Floats, until: int = ROWS) -> None
     parts: list[pen.Part] = [
         pen.Rule(y=0.0),
         pen.Curve((t[:until], np.degrees(angle[:until])), look.FIRST),
-        pen.Mark((t[until - 1], np.degrees(angle[until - 1])), look.FIRST, 4),
+        pen.Markers((t[until - 1], np.degrees(angle[until - 1])), look.FIRST, 4),
     ]
     most = 1.1 * math.degrees(angle[0])
     limits = {"xlim": (0, t[-1]), "ylim": (-most, most)}

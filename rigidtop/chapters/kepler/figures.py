@@ -18,7 +18,7 @@ from rigidtop.parameters import Parameter
 from .orbits import orbit, period
 
 ECCENTRICITY = Parameter("epsilon", 0.6, "eccentricity of the ellipse", least=0.05, most=0.9)
-SUN = pen.Mark((0.0, 0.0), look.SECOND, 9, fill="#f6c95c")
+SUN = pen.Markers((0.0, 0.0), look.SECOND, 9, fill="#f6c95c")
 PARTS = 12
 """Sectors, each of the same time."""
 
@@ -55,13 +55,13 @@ def draw_conics(axes: Axes, epsilon: float) -> None:
         pen.Curve(_closed(epsilon), look.FIRST, 1.4, z=3),
         pen.Words((far, 0.0), rf"$\varepsilon={look.in_math(epsilon)}$", (4, 5), look.FIRST),
         pen.guide(([far, 1.06], 0.0), ls=look.DASHED),
-        pen.Mark((near, 0.0), look.FIRST, 3),
+        pen.Markers((near, 0.0), look.FIRST, 3),
         pen.guide((0.0, [-1.0, 0.0])),
         pen.Words((0.0, -0.5), "$p$", (5, -3), look.NOTE),
         pen.Curve([0 * planet, planet], z=4),
         pen.Words(0.6 * planet, "$r$", (3, 4)),
         *pen.angle(turn, r"$\phi$", (7, 2), head=True, z=4),
-        pen.Mark(planet, look.FIRST, 5),
+        pen.Markers(planet, look.FIRST, 5),
         pen.Words((1.06, 0.0), "perihelion", (3, 0), look.NOTE, va="center", size=look.SMALL),
         SUN,
     ]
@@ -100,12 +100,12 @@ def draw_areas(axes: Axes, epsilon: float, now: float | None = None) -> None:
     if now is None:
         parts += [pen.Face(sector(epsilon, s, 1 / PARTS), look.FACE) for s in starts[::2]]
         parts += [pen.guide(([0, a], [0, b])) for a, b in zip(x, y, strict=True)]
-        parts += [pen.Mark((x, y), look.FIRST, 4)]
+        parts += [pen.Markers((x, y), look.FIRST, 4)]
     else:
         swept = sector(epsilon, now - 1 / PARTS, 1 / PARTS)
         planet = swept[0][-1], swept[1][-1]
-        parts += [pen.Face(swept, look.FACE, look.EDGE), pen.Mark(planet, look.FIRST, 6)]
-        parts += [pen.Mark((x, y), look.GREY, 2.5, z=4)]
+        parts += [pen.Face(swept, look.FACE, look.EDGE), pen.Markers(planet, look.FIRST, 6)]
+        parts += [pen.Markers((x, y), look.GREY, 2.5, z=4)]
     a, b = 1 / (1 - epsilon**2), 1 / math.sqrt(1 - epsilon**2)
     across = -a * (1 + epsilon) - 0.1, a * (1 - epsilon) + 0.1
     pen.picture(axes, parts, across, (-b - 0.1, b + 0.1))

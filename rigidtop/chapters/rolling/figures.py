@@ -59,7 +59,7 @@ def draw_wheel(axes: Axes, ratio: float, slope: float) -> None:
         pen.Curve(ground[:2], look.NOTE, 1.2, z=1.5),
         pen.Curve(bow(2.2, math.pi, math.pi - slope, high), lw=0.8),
         pen.Words((high[0] - 2.6, high[1]), r"$\alpha$", (0, 3), ha="right"),
-        pen.Mark([out, touch], size=3),
+        pen.Markers([out, touch], size=3),
     ]
     pen.picture(axes, parts, (low[0] - 0.1, high[0] + 0.1), (high[1] - 0.1, 2.75))
 
@@ -113,7 +113,7 @@ def _table(axes: Axes, size: float, angle: float, words: str) -> None:
     parts = [
         pen.Face(bow(size), look.GROUND, look.RULE, z=0.4),
         *(pen.guide([0 * end, end], color=look.RULE, lw=0.7) for end in spokes),
-        pen.Mark((0.0, 0.0), look.NOTE, 3),
+        pen.Markers((0.0, 0.0), look.NOTE, 3),
         pen.Words((0.0, -size), words, (0, -12), look.NOTE, "center", size=look.SMALL),
     ]
     pen.picture(axes, parts, (-1.08 * size, 1.08 * size), (-1.25 * size, 1.08 * size))
@@ -134,8 +134,8 @@ def draw_room(axes: Axes, d: float, v: float, turn: float, share: float = 1.0) -
     tip, centre = (d + 0.35 * size, 0.0), (d, 7 * v / (2 * turn))
     parts: list[pen.Part] = [
         pen.Curve(passed, look.FIRST, 1.4, z=3),
-        pen.Mark(centre, look.SECOND, 5, "+", words=r"$\mathbf{c}$", shift=(5, 3)),
-        pen.Mark(passed[-1], look.INK, 9 if share < 1 else 7, fill=look.FACE),
+        pen.Markers(centre, look.SECOND, 5, "+", words=r"$\mathbf{c}$", shift=(5, 3)),
+        pen.Markers(passed[-1], look.INK, 9 if share < 1 else 7, fill=look.FACE),
     ]
     if share == 1:
         parts.append(pen.Arrow(tip, r"$\mathbf{v}$", look.INK, 1.2, (d, 0.0), (7, 3)))
@@ -147,7 +147,7 @@ def draw_on_table(axes: Axes, d: float, v: float, turn: float) -> None:
     times = _rounds(turn, 2)  # after seven turns of the table the path closes
     path = _on_table(places(d, v, turn, times), turn * times)
     _table(axes, _size(d, v, turn), 0.0, "from the table")
-    ball = pen.Mark((d, 0.0), look.INK, 7, fill=look.FACE)
+    ball = pen.Markers((d, 0.0), look.INK, 7, fill=look.FACE)
     pen.draw(axes, [pen.Curve(path, look.FIRST, 1.4, z=3), ball])
 
 

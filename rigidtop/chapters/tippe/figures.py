@@ -41,10 +41,10 @@ def draw_contact(axes: Axes, tilt: float) -> None:
         pen.Arrow((0.0, 0.62), r"$N\mathbf{n}$", look.TORQUE, 1.5, (0.0, 0.07), (12, -4)),
         *pen.angle(lean, r"$\theta$", (0, 3), look.NOTE, lw=0.8),
         pen.Words((centre + middle) / 2, "$h$", (5, -6), look.AXIS),
-        pen.Mark(centre, look.INK, 5),
-        pen.Mark(middle, look.INK, 4, fill="white"),
-        pen.Mark(touch, look.TORQUE, 8, fill="white", z=8),
-        pen.Mark(touch, look.TORQUE, 2.5, z=9, words=r"$-f\mathbf{v}$", shift=(8, -10)),
+        pen.Markers(centre, look.INK, 5),
+        pen.Markers(middle, look.INK, 4, fill="white"),
+        pen.Markers(touch, look.TORQUE, 8, fill="white", z=8),
+        pen.Markers(touch, look.TORQUE, 2.5, z=9, words=r"$-f\mathbf{v}$", shift=(8, -10)),
     ]
     pen.picture(axes, parts, (-1.55, 1.55), (-0.3, 2.65))
 
@@ -100,7 +100,7 @@ def draw_energy(axes: Axes, run: SlidingTrajectory, last: int = -1) -> None:
     parts = [
         pen.Curve((np.degrees(tilts), least), look.FIRST, label="$U$"),
         pen.Curve(path, look.SECOND, label="$E$", z=3),
-        pen.Mark((path[0][-1:], path[1][-1:]), look.SECOND, 5),
+        pen.Markers((path[0][-1:], path[1][-1:]), look.SECOND, 5),
     ]
     pen.chart(axes, parts, r"$\theta$  (degrees)", "energy  (mJ)", xlim=(0, 180))
     axes.legend(loc="upper right")
@@ -118,7 +118,7 @@ def _rise(spin: float, f: float) -> Canvas:
         balls += [*ball(axis, 3.6 * k), word]
     pen.picture(flashes, balls, (-1.8, 16.2), (-2.2, 1.7), VIEW)
     curve = np.column_stack([run.t, np.degrees(run.theta)])
-    parts = [pen.Curve(curve, look.FIRST), pen.Mark(curve[rows], look.AXIS, 4)]
+    parts = [pen.Curve(curve, look.FIRST), pen.Markers(curve[rows], look.AXIS, 4)]
     limits = {"xlim": (0, SHOWN), "ylim": (0, 185)}
     pen.chart(tilt, parts, "$t$  (s)", r"$\theta$  (degrees)", **limits)
     draw_energy(energy, run)
