@@ -59,7 +59,7 @@ def alphabet(letters: Letters) -> Alphabet:
         if (letter := letter_of(x)) is not None
     }
     components = {
-        letter: n.Dot(one, other)
+        letter: n.DotProduct(one, other)
         for (axis, vector), x in letters.components.items()
         if (one := letter_of(axis)) and (other := letter_of(vector)) and (letter := letter_of(x))
     }

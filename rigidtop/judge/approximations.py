@@ -12,7 +12,7 @@ from itertools import combinations
 from sympy import Rational
 
 from rigidtop.judge import definitions, oscillations, worth
-from rigidtop.judge.context import LINEAR, Context, Definition, LimitingCase
+from rigidtop.judge.context import LINEAR, Context, LetterDefinition, LimitingCase
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, SLIP_SECONDS, Slip, slip
 from rigidtop.judge.implicit import implicit, solves_nearly
 from rigidtop.judge.jets import jet_of, jets
@@ -147,7 +147,7 @@ _DISTANCE = Letter("ε", "→")
 def _approaching(question: Question, letter: Letter, other: Letter) -> Context:
     """What is known where a letter tends to another one."""
     at, sum_of_both = question.at, n.Sum((other, _DISTANCE))
-    near = Definition(sum_of_both, at.number, at.scope, supposed=True)
+    near = LetterDefinition(sum_of_both, at.number, at.scope, supposed=True)
     context = question.context.defining(letter, near)
     return replace(context, limits=(*context.limits, LimitingCase(_DISTANCE, False, at.sentence)))
 

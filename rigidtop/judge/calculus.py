@@ -37,9 +37,9 @@ class Calculus(Vocabulary):
     def call(self, node: n.Call) -> Value:
         function, places = node.function, node.places
         order, dots = 0, 0
-        while isinstance(function, (n.Primed, n.Rate)):
+        while isinstance(function, (n.Primed, n.TimeDerivative)):
             order += function.order
-            dots += function.order * isinstance(function, n.Rate)
+            dots += function.order * isinstance(function, n.TimeDerivative)
             function = function.of
         if not isinstance(function, Letter):
             raise UnclearError("a function that is no letter")
@@ -174,7 +174,7 @@ class Calculus(Vocabulary):
             # That of a function, as dV/dx or dL/dθ, is taken with its rates held.
             found = jet_of(value) if getattr(value, "is_Symbol", False) else None
             return found is not None and (found.order > 0 or found.letter in self.moving)
-        return any(isinstance(x, n.Rate) for x in n.walked(of))
+        return any(isinstance(x, n.TimeDerivative) for x in n.walked(of))
 
     def _is_along(self, value: Value, place: Expr) -> bool:
         """Whether a value is written in places that move, and not in the one it is taken by.
@@ -191,14 +191,14 @@ class Calculus(Vocabulary):
         """A value in the letters by which it is differentiated, and with what is held for that."""
         meaning = self
         for x in by:
-            bare = x.of if isinstance(x, n.Rate) else x
+            bare = x.of if isinstance(x, n.TimeDerivative) else x
             if isinstance(bare, Letter):
                 letter = self.named(bare)
                 if self.definition(letter) is not None:
                     meaning = meaning.with_(held=meaning.held | {letter})
         if isinstance(of, Letter):
             meaning = meaning._held_for(of)
-        elif not any(isinstance(x, n.Rate) for x in (*n.walked(of), *by)):
+        elif not any(isinstance(x, n.TimeDerivative) for x in (*n.walked(of), *by)):
             momenta = {x for x in n.letters(of) if self.is_momentum(x)}
             meaning = meaning.with_(held=meaning.held | momenta)
         value = meaning.value(of)
@@ -245,10 +245,12 @@ class Calculus(Vocabulary):
             return False
         if isinstance(definition.node, Meant):
             return any(jet.order for jet in jets(sympy.sympify(definition.node.value)).values())
-        return any(isinstance(x, (n.Rate, n.Derivative)) for x in n.walked(definition.node))
+        return any(
+            isinstance(x, (n.TimeDerivative, n.Derivative)) for x in n.walked(definition.node)
+        )
 
     def _has_rates(self, node: Node) -> bool:
-        if any(isinstance(x, n.Rate) for x in n.walked(node)):
+        if any(isinstance(x, n.TimeDerivative) for x in n.walked(node)):
             return True
         definitions = {x: self.definition(x) for x in n.letters(node)}
         return any(
@@ -333,7 +335,7 @@ class Calculus(Vocabulary):
     def _is_kept(self, letter: Letter) -> bool:
         """Whether a letter stands for what is said not to change, whatever it is written in."""
         zero = (x.left for x in self.context.constraints if x.right == n.Number("0"))
-        said = any(isinstance(x, n.Rate) and x.of == letter for x in zero)
+        said = any(isinstance(x, n.TimeDerivative) and x.of == letter for x in zero)
         return said and self.definition(letter) is not None
 
     def _over_body(self, node: n.Integral) -> Value:

@@ -13,11 +13,11 @@ from functools import cached_property
 from itertools import chain, pairwise, takewhile
 from typing import TypeVar
 
-from rigidtop.judge.context import Bound, Constraint, Context, Definition, LimitingCase
+from rigidtop.judge.context import Bound, Constraint, Context, LetterDefinition, LimitingCase
 from rigidtop.judge.reading import LATE
 from rigidtop.judge.text import Asked, Knowledge, Reading, Row, TextStep, around, start
 
-Item = TypeVar("Item", Definition, Constraint, Bound, LimitingCase)
+Item = TypeVar("Item", LetterDefinition, Constraint, Bound, LimitingCase)
 
 
 class GoneError(Exception):
@@ -93,14 +93,14 @@ class Numbering:
     def _numbered(self, item: Item) -> Item:
         changes: dict[str, object] = {}
         match item:
-            case Definition() | Bound():
+            case LetterDefinition() | Bound():
                 changes = {"number": self.statement(item.number)}
             case Constraint():
                 number, until = self.statement(item.number), self.sentence(item.until)
                 changes = {"number": number, "until": until}
             case LimitingCase():
                 changes = {"sentence": self.sentence(item.sentence)}
-        if isinstance(item, Definition | Constraint):
+        if isinstance(item, LetterDefinition | Constraint):
             changes["scope"] = self.scope(item.scope)
         same = all(getattr(item, name) == value for name, value in changes.items())
         return item if same else replace(item, **changes)  # type: ignore[arg-type]
@@ -303,5 +303,5 @@ def _same(one: object, other: object) -> bool:
     return bool(one == other)
 
 
-_BY_IDENTITY = (Context, Definition, Constraint, Bound)
+_BY_IDENTITY = (Context, LetterDefinition, Constraint, Bound)
 """What Python compares by its identity."""

@@ -61,11 +61,15 @@ def along(basis: MatrixBase, after: Context, before: Context) -> Context:
             case _:
                 return node
         parts = zip(entries, axes, strict=True)
-        return n.Group(n.Sum(tuple(n.Product((n.Group(x), axis)) for x, axis in parts)))
+        return n.Bracketed(n.Sum(tuple(n.Product((n.Bracketed(x), axis)) for x, axis in parts)))
 
     def column(node: Node) -> Node:
         # (x, y, z)ᵀ is a column as it is.
-        return node.of if isinstance(node, n.Transposed) and isinstance(node.of, n.Tuple) else node
+        return (
+            node.of
+            if isinstance(node, n.TransposedMatrix) and isinstance(node.of, n.Tuple)
+            else node
+        )
 
     def there(node: Node) -> Node:
         return n.mapped(n.mapped(node, column), resolved)

@@ -15,7 +15,7 @@ START = "start"
 
 
 @dataclass(frozen=True, eq=False)
-class Definition:
+class LetterDefinition:
     """What a letter stands for since a statement; `also` are expressions shown to be equal to it.
 
     `places` are the letters of which it is a function where the text says so, `index` is the letter
@@ -127,7 +127,7 @@ class Context:
     """Definitions, constraints, instants (with their time, where it is said) and letters so far."""
 
     habits: Habits
-    definitions: Mapping[Letter, Definition] = field(default_factory=dict)
+    definitions: Mapping[Letter, LetterDefinition] = field(default_factory=dict)
     constraints: tuple[Constraint, ...] = ()
     instants: Mapping[str, Node | None] = field(default_factory=dict)
     letters: frozenset[Letter] = frozenset()
@@ -194,7 +194,7 @@ class Context:
                 context = context.forgetting(letter)  # type: ignore[arg-type]
         return context
 
-    def defining(self, letter: Letter, definition: Definition) -> Context:
+    def defining(self, letter: Letter, definition: LetterDefinition) -> Context:
         """With a letter that stands for something from here on.
 
         What others stand for that would make it stand for itself is another problem's, and over.
@@ -315,7 +315,7 @@ def has_unit(node: Node) -> bool:
     return not letters(node) and any(isinstance(x, Unit) for x in walked(node))
 
 
-def _reached(node: Node, definitions: Mapping[Letter, Definition]) -> list[Letter]:
+def _reached(node: Node, definitions: Mapping[Letter, LetterDefinition]) -> list[Letter]:
     """The letters with a meaning in a node, and in what these stand for."""
     reached: list[Letter] = []
     left = [node]

@@ -73,7 +73,7 @@ def _numbered(question: Question) -> dict[str, Expr]:
     """The letters and rates that stand in it and have a number in its worlds."""
     meaning, numbered = question.meaning(), dict[str, Expr]()
     for node in (x for side in (question.left, question.right) for x in n.walked(side)):
-        if isinstance(node, Letter) or (isinstance(node, n.Rate) and node.dotted):
+        if isinstance(node, Letter) or (isinstance(node, n.TimeDerivative) and node.dotted):
             with suppress(UnclearError):
                 value = meaning.scalar(node)
                 if value.free_symbols <= {*question.worlds.letters}:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from sympy import MatrixBase, Symbol
 
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.context import RULE, Constraint, Context, Definition
+from rigidtop.judge.context import RULE, Constraint, Context, LetterDefinition
 from rigidtop.judge.jets import TIME
 from rigidtop.judge.laws import ENERGIES
 from rigidtop.judge.letters import COORDINATES
@@ -74,7 +74,7 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
         raise UnclearError("one side is a vector, the other is a number")
     at, node = question.at, signed(other, question.signs[0])
     supposed = _is_case(question, letter, node)
-    meant = Definition(node, at.number, at.scope, places, index, supposed=supposed)
+    meant = LetterDefinition(node, at.number, at.scope, places, index, supposed=supposed)
     known = context.defining(letter, meant)
     why = f"what {in_words(name)} stands for"
     brings = frozenset({in_words(letter)})
@@ -89,7 +89,7 @@ def nearly(question: Question) -> Judgement | None:
         return None
     brings = frozenset({in_words(name)})
     outcome = Outcome(DEFINITION, f"what {in_words(name)} stands for", brings=brings)
-    return outcome, context.defining(name, Definition(left, at.number, at.scope))
+    return outcome, context.defining(name, LetterDefinition(left, at.number, at.scope))
 
 
 def _is_clock(question: Question, letter: Letter, other: Node, value: Value) -> bool:
@@ -109,14 +109,14 @@ def form(question: Question) -> Judgement | None:
     left, right, at = question.left, question.right, question.at
     known = question.context.definitions
     match right:
-        case n.Product((*numbers, n.Transposed(column), Letter() as matrix, other)):
+        case n.Product((*numbers, n.TransposedMatrix(column), Letter() as matrix, other)):
             is_form = column == other and not frozenset().union(*map(n.letters, numbers))
         case _:
             return None
     if not is_form or left not in known or matrix in known.keys() | question.context.given:
         return None
     half = n.Quotient(n.Number("1"), n.Product((n.Number("2"), *numbers)))
-    meant = Definition(n.Product((half, Curvature(left, column))), at.number, at.scope)
+    meant = LetterDefinition(n.Product((half, Curvature(left, column))), at.number, at.scope)
     words = f"{in_words(matrix)} is the matrix of {in_words(left)}"
     brings = frozenset({in_words(matrix)})
     return Outcome(DEFINITION, words, brings=brings), question.context.defining(matrix, meant)
@@ -213,7 +213,7 @@ def again(question: Question) -> Judgement | None:
         for c in context.constraints
         if c.kind == RULE or letter not in n.letters(c.left) | n.letters(c.right)
     )
-    newer = Definition(question.right, at.number, at.scope, places)
+    newer = LetterDefinition(question.right, at.number, at.scope, places)
     known = _given_anew(replace(context, constraints=kept), letter, newer)
     return Outcome(DEFINITION, f"{in_words(letter)} is used again"), known
 
@@ -239,11 +239,11 @@ def number_again(question: Question) -> Judgement | None:
         return None
     if compared(question.left, question.right, question.meant).passed:
         return None
-    known = _given_anew(context, letter, Definition(question.right, at.number, at.scope))
+    known = _given_anew(context, letter, LetterDefinition(question.right, at.number, at.scope))
     return Outcome(DEFINITION, f"{in_words(letter)} is used again"), known
 
 
-def _given_anew(context: Context, letter: Letter, newer: Definition) -> Context:
+def _given_anew(context: Context, letter: Letter, newer: LetterDefinition) -> Context:
     """What is known where a letter stands for something else from here on.
 
     An equation that has been solved for it holds as before: e = 1 in w − v = e u.
@@ -255,7 +255,7 @@ def _given_anew(context: Context, letter: Letter, newer: Definition) -> Context:
     return context.defining(letter, newer)
 
 
-def _may_be_another(question: Question, older: Definition) -> bool:
+def _may_be_another(question: Question, older: LetterDefinition) -> bool:
     """Whether what a letter stood for may be another problem's: outside, or by the words."""
     at = question.at
     within = at.scope[: len(older.scope)] == older.scope

@@ -25,7 +25,7 @@ def in_rates(read: Iterable[Statement | Unread]) -> list[Statement | Unread]:
         if isinstance(each, Statement)
         for side in each.sides
         for node in n.walked(side)
-        if isinstance(node, n.Rate) and isinstance(node.of, Letter)
+        if isinstance(node, n.TimeDerivative) and isinstance(node.of, Letter)
     }
     return [_in_rates(each, moving) if isinstance(each, Statement) else each for each in stated]
 
@@ -53,7 +53,7 @@ def _differentials(node: Node) -> list[n.Differential]:
 def _rate(node: Node) -> Node:
     match node:
         case n.Differential(of):
-            return _ONE if of == CLOCK else n.Rate(of)
+            return _ONE if of == CLOCK else n.TimeDerivative(of)
         case n.Product(factors) if _ONE in factors:
             left = tuple(x for x in factors if x != _ONE)
             return left[0] if len(left) == 1 else n.Product(left)
@@ -65,14 +65,14 @@ def _degree(node: Node) -> int | None:
     match node:
         case n.Differential(order=1, partial=False):
             return 1
-        case n.Negative(of) | n.Group(of) | n.Absolute(of):
+        case n.Negative(of) | n.Bracketed(of) | n.Absolute(of):
             return _degree(of)
         case n.Sum(terms):
             degrees = {_degree(x) for x in terms}
             return degrees.pop() if len(degrees) == 1 else None
         case n.Product(factors):
             return _sum([_degree(x) for x in factors])
-        case n.Dot(left, right) | n.Cross(left, right):
+        case n.DotProduct(left, right) | n.CrossProduct(left, right):
             return _sum([_degree(left), _degree(right)])
         case n.Quotient(over, under):
             below = _degree(under)

@@ -33,9 +33,9 @@ def kinetic(question: Question) -> Iterator[Quantity]:
         places = _places_of(mass, question.context)
         if not places:
             return
-        squares = tuple(n.Power(n.Rate(x, 1, True), _SQUARE) for x in places)
+        squares = tuple(n.Power(n.TimeDerivative(x, 1, True), _SQUARE) for x in places)
         half = n.Quotient(n.Number("1"), _SQUARE)
-        terms.append(n.Product((half, mass, n.Group(n.Sum(squares)))))
+        terms.append(n.Product((half, mass, n.Bracketed(n.Sum(squares)))))
     if terms:
         yield Quantity("the kinetic energy", n.Sum(tuple(terms)))
 
@@ -44,7 +44,7 @@ def lagrangian(question: Question) -> Iterator[Quantity]:
     """The kinetic energy less that of the weight, of bodies of which it is said where they are."""
     for moving in kinetic(question):
         for hanging in weight(question):
-            node = n.Sum((moving.node, n.Negative(n.Group(hanging.node))))
+            node = n.Sum((moving.node, n.Negative(n.Bracketed(hanging.node))))
             yield Quantity("T − V with the places above", node)
 
 

@@ -24,7 +24,7 @@ from rigidtop.judge import (
     worth,
 )
 from rigidtop.judge.brackets import convention
-from rigidtop.judge.context import LAW, PLACE, SETTING, Constraint, Definition
+from rigidtop.judge.context import LAW, PLACE, SETTING, Constraint, LetterDefinition
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.counterexample import acceleration, refuted
 from rigidtop.judge.faults import NUMBERS
@@ -155,7 +155,7 @@ def _numbers(question: Question) -> Judgement:
     """The outcome where both sides are numbers."""
     sides, meant = (question.left, question.right), question.meant
     others = [side for side in sides if side != ZERO]
-    rates = [any(isinstance(x, n.Rate) for x in n.walked(side)) for side in others]
+    rates = [any(isinstance(x, n.TimeDerivative) for x in n.walked(side)) for side in others]
     if others and all(rates) and all(x == 0 for pair in meant for x in pair):
         # Rates vanish only as no letter of theirs moves.
         if len(others) == len(sides):
@@ -166,7 +166,7 @@ def _numbers(question: Question) -> Judgement:
     outcome = compared(*sides, meant, question.rests_on_meaning)
     if outcome.why == A_MINUTE and isinstance(question.context.head, Letter):
         head, at = question.context.head, question.at  # what it says of it is the number
-        number = Definition(question.right, at.number, at.scope)
+        number = LetterDefinition(question.right, at.number, at.scope)
         return outcome, question.context.defining(head, number)
     return definitions.number_again(question) or (outcome, question.context)
 

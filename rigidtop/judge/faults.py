@@ -16,7 +16,7 @@ from sympy import (
 from rigidtop.judge import paths
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.context import Constraint, Context, Definition, is_open
+from rigidtop.judge.context import Constraint, Context, LetterDefinition, is_open
 from rigidtop.judge.jets import TIME, jet_of, symbols
 from rigidtop.judge.meaning import Meaning
 from rigidtop.judge.outcome import FALSE, Outcome
@@ -174,7 +174,7 @@ def near(question: Question) -> set[Letter]:
     return {x for x in near if not _has_unit(question.context.definitions.get(x))}
 
 
-def _has_unit(definition: Definition | None) -> bool:
+def _has_unit(definition: LetterDefinition | None) -> bool:
     return definition is not None and any(isinstance(x, n.Unit) for x in n.walked(definition.node))
 
 
@@ -203,7 +203,9 @@ def _is_idle(node: Node, moving: Collection[Letter]) -> bool:
     """Whether it is zero as it is written: r − r, or the rate of what does not move."""
     if isinstance(node, n.Sum):
         return any(n.Negative(term) in node.terms for term in node.terms)
-    return isinstance(node, n.Rate) and isinstance(node.of, Letter) and node.of not in moving
+    return (
+        isinstance(node, n.TimeDerivative) and isinstance(node.of, Letter) and node.of not in moving
+    )
 
 
 def _is_renamed(question: Question, change: Change) -> bool:
@@ -293,7 +295,7 @@ def _righted(question: Question, change: Change) -> Context:
             return context.holding(righted)
         also = (*definition.also, change.right)
         return context.defining(change.left, replace(definition, also=also))  # type: ignore[arg-type]
-    definition = Definition(change.right, question.at.number, question.at.scope)
+    definition = LetterDefinition(change.right, question.at.number, question.at.scope)
     return path.before.defining(path.letter, definition)
 
 
@@ -342,7 +344,7 @@ def _contradiction(question: Question, most: float, until: float) -> Outcome | N
 
 
 def _change_of_meaning(
-    question: Question, letter: Letter, definition: Definition, most: float, until: float
+    question: Question, letter: Letter, definition: LetterDefinition, most: float, until: float
 ) -> Change | None:
     """The change of what a letter stands for with which the statement holds."""
     known = n.letters(definition.node)
@@ -354,7 +356,9 @@ def _change_of_meaning(
     return None
 
 
-def _holds_with(question: Question, letter: Letter, definition: Definition, node: Node) -> bool:
+def _holds_with(
+    question: Question, letter: Letter, definition: LetterDefinition, node: Node
+) -> bool:
     """Whether the statement holds where a letter stands for something else."""
     known = question.context.defining(letter, replace(definition, node=node))
     other = replace(question.within(known), asked=None)

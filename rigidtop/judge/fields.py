@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from sympy import MatrixBase
 
-from rigidtop.judge.context import FIELD, Context, Definition
+from rigidtop.judge.context import FIELD, Context, LetterDefinition
 from rigidtop.judge.faults import NUMBERS, SLIP_SECONDS
 from rigidtop.judge.laws import HAMILTONIANS, LAGRANGIANS
 from rigidtop.judge.letters import CLOCK
@@ -62,7 +62,9 @@ def equation(question: Question) -> Judgement | None:
         if isinstance(x, n.Derivative) and x.of in unknown
     ]
     rates = any(
-        isinstance(x, n.Rate) for side in (question.left, question.right) for x in n.walked(side)
+        isinstance(x, n.TimeDerivative)
+        for side in (question.left, question.right)
+        for x in n.walked(side)
     )
     if not slopes or rates or question.at.instant or question.inner:
         return None
@@ -127,5 +129,5 @@ def _defined(question: Question, node: Node) -> Context:
     letter, context = question.left, question.context
     assert isinstance(letter, Letter)
     places = context.habits.functions.get(letter, ())
-    definition = Definition(node, question.at.number, question.at.scope, places)
+    definition = LetterDefinition(node, question.at.number, question.at.scope, places)
     return context.defining(letter, definition)

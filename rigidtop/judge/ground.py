@@ -11,7 +11,7 @@ from itertools import pairwise
 from sympy import Expr, ImmutableMatrix, MatrixBase, eye
 
 from rigidtop.judge.alphabet import Alphabet, letters_of
-from rigidtop.judge.context import PREMISE, Constraint, Context, Definition, Habits
+from rigidtop.judge.context import PREMISE, Constraint, Context, Habits, LetterDefinition
 from rigidtop.judge.jets import TIME, Jet, jets, symbol
 from rigidtop.judge.letters import CLOCK
 from rigidtop.judge.meaning import Meaning
@@ -56,15 +56,15 @@ class ValueCache:
     A value is taken again as long as all letters stand for what they stood for.
     """
 
-    _definitions: dict[tuple[Letter, Node], Definition] = field(default_factory=dict)
+    _definitions: dict[tuple[Letter, Node], LetterDefinition] = field(default_factory=dict)
     _memories: dict[MatrixBase | None, Memory] = field(default_factory=dict)
-    _known: dict[object, tuple[Value, Mapping[Letter, Definition | None]]] = field(
+    _known: dict[object, tuple[Value, Mapping[Letter, LetterDefinition | None]]] = field(
         default_factory=dict
     )
 
-    def definition(self, letter: Letter, node: Node) -> Definition:
+    def definition(self, letter: Letter, node: Node) -> LetterDefinition:
         """What a letter stands for: the same object for the same formula."""
-        return self._definitions.setdefault((letter, node), Definition(node, -1))
+        return self._definitions.setdefault((letter, node), LetterDefinition(node, -1))
 
     def of(
         self, node: Node, context: Context, sign: int = 1, bound: Mapping[str, int] | None = None
@@ -138,7 +138,7 @@ def equations(each: Statement) -> Iterator[tuple[str, Node, Node]]:
     """The links of a statement: relation, and both sides; what is constant has no rate."""
     for relation, (left, right) in zip(each.relations, pairwise(each.sides), strict=True):
         if isinstance(right, n.Constant):
-            yield relation, n.Rate(left), n.Number("0")
+            yield relation, n.TimeDerivative(left), n.Number("0")
         else:
             yield relation, left, right
 
@@ -214,13 +214,18 @@ class Ground:
                 continue
         return made or [ImmutableMatrix(eye(3))]
 
-    def plain(self, node: Node, definitions: Mapping[Letter, Definition]) -> Node:
+    def plain(self, node: Node, definitions: Mapping[Letter, LetterDefinition]) -> Node:
         """Without rates seen from the body, and slopes of what nothing says."""
 
         def change(each: Node) -> Node:
-            if isinstance(each, n.Rate) and each.frame.startswith("body") and self.letters.body:
+            if (
+                isinstance(each, n.TimeDerivative)
+                and each.frame.startswith("body")
+                and self.letters.body
+            ):
                 terms = [
-                    n.Product((n.Rate(n.Dot(e, each.of), each.order), e)) for e in self.letters.body
+                    n.Product((n.TimeDerivative(n.DotProduct(e, each.of), each.order), e))
+                    for e in self.letters.body
                 ]
                 return n.Sum(tuple(terms))
             if isinstance(each, n.Derivative) and not (each.by == (CLOCK,) and not each.partial):
@@ -229,7 +234,7 @@ class Ground:
                 known = along or of in definitions or self.whole
                 if isinstance(of, Letter) and not known:
                     return slope(each)
-            if isinstance(each, n.Transposed) and isinstance(each.of, n.Tuple):
+            if isinstance(each, n.TransposedMatrix) and isinstance(each.of, n.Tuple):
                 return each.of
             return each
 
@@ -283,7 +288,7 @@ class Ground:
         vectors = self.letters.vectors | self.letters.operators
         return not any(
             x in vectors or x.bold or x.mark == "hat" for x in n.letters(node) - self.letters.unit
-        ) and not any(isinstance(x, (n.Rate, n.Cross)) for x in n.walked(node))
+        ) and not any(isinstance(x, (n.TimeDerivative, n.CrossProduct)) for x in n.walked(node))
 
     def _with_components(self, context: Context) -> Context:
         for letter, node in self.letters.components.items():
@@ -308,13 +313,13 @@ class Ground:
                 if axis not in spoken or axis in known:
                     continue
                 others = [x for x in (frame[k - 2], frame[k - 1]) if x in known]
-                node = n.Cross(frame[k - 2], frame[k - 1])
+                node = n.CrossProduct(frame[k - 2], frame[k - 1])
                 if len(others) == 2 and axis not in _made_of(context, node):
                     context = context.defining(axis, self.values.definition(axis, node))
                 else:
                     one, none = n.Number("1"), n.Number("0")
                     for other in (axis, *others):
-                        dot, value = n.Dot(axis, other), one if other is axis else none
+                        dot, value = n.DotProduct(axis, other), one if other is axis else none
                         context = context.holding(Constraint(dot, value, -1, PREMISE))
                 known.append(axis)
         return context

@@ -41,7 +41,7 @@ def has_length(read: Iterable[Statement | Unread]) -> bool:
 
 def _changing(nodes: Iterable[Node], moving: Collection[Letter]) -> set[Letter]:
     """Places and speeds of which a product has a rate, as v in d(mv)/dt, if nothing else moves."""
-    products = [n.letters(x.of) for x in nodes if isinstance(x, n.Rate) and not x.dotted]
+    products = [n.letters(x.of) for x in nodes if isinstance(x, n.TimeDerivative) and not x.dotted]
     return {
         x
         for letters in products
@@ -62,7 +62,7 @@ def _velocities(read: Sequence[Statement]) -> set[Letter]:
         for one, other in zip(each.sides, each.sides[1:], strict=False):
             for side, rates in ((one, other), (other, one)):
                 if isinstance(side, n.Product) and any(
-                    isinstance(x, n.Rate) and x.order == 1 for x in n.walked(rates)
+                    isinstance(x, n.TimeDerivative) and x.order == 1 for x in n.walked(rates)
                 ):
                     tied |= {x for x in side.factors if isinstance(x, Letter)}
         if each.sides[0] in ENERGIES | {*LAGRANGIANS}:
@@ -141,7 +141,7 @@ def _components(read: Sequence[Statement], moving: Collection[Letter]) -> set[Le
     for each in read:
         of_vector = each.sides[0] in moving and isinstance(each.sides[0], Letter)
         for side in each.sides[1:] if of_vector else ():
-            column = side.of if isinstance(side, n.Transposed) else side
+            column = side.of if isinstance(side, n.TransposedMatrix) else side
             entries = column.entries if isinstance(column, n.Tuple) else ()
             letters = {x for x in entries if isinstance(x, Letter)}
             if len(letters) == len(entries) and not letters & {*moving}:
@@ -184,7 +184,7 @@ def _is_letter(nodes: Sequence[Node]) -> bool:
     """Whether δ stands anywhere but in front of what it may vary, as in δ x."""
     products = (x.factors for x in nodes if isinstance(x, n.Product))
     pairs = [pair for factors in products for pair in pairwise(factors) if pair[0] == _DELTA]
-    varied = [x for _, x in pairs if not isinstance(x, (n.Power, n.Group))]
+    varied = [x for _, x in pairs if not isinstance(x, (n.Power, n.Bracketed))]
     return nodes.count(_DELTA) > len(varied)
 
 
@@ -209,7 +209,9 @@ def _written_in_one(
     """Letters that are given by one coordinate and no rate, with that: U by θ."""
     for each in read:
         name, value = each.sides[0], each.sides[-1]
-        if isinstance(name, Letter) and not any(isinstance(x, n.Rate) for x in n.walked(value)):
+        if isinstance(name, Letter) and not any(
+            isinstance(x, n.TimeDerivative) for x in n.walked(value)
+        ):
             places = n.letters(value) & {*moving}
             if len(places) == 1:
                 yield name, *places  # type: ignore[misc]
@@ -225,7 +227,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
     moving = {x for x in timed if isinstance(x, Letter)} | {
         of
         for x in nodes
-        if isinstance(x, n.Rate) and not _is_function(x.of)
+        if isinstance(x, n.TimeDerivative) and not _is_function(x.of)
         for of in [bare(x.of)]
         if isinstance(of, Letter)
     }
@@ -256,7 +258,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         if x in primed and x not in moving and not {*functions.get(x, ())} & {*moving}
     }
     twice = any(isinstance(x, n.Primed) and x.order > 1 and x.of not in functions for x in nodes)
-    dotted = any(isinstance(x, n.Rate) and x.dotted for x in nodes)
+    dotted = any(isinstance(x, n.TimeDerivative) and x.dotted for x in nodes)
     primes_are_rates = twice and not dotted
     if primes_are_rates:
         moving |= primed - {*functions}
@@ -301,7 +303,7 @@ def running_of(read: Sequence[Statement]) -> Letter:
     running = set()
     for each in read:
         nodes = [node for side in each.sides for node in n.walked(side)]
-        if CLOCK in nodes or any(isinstance(x, n.Rate) for x in nodes):
+        if CLOCK in nodes or any(isinstance(x, n.TimeDerivative) for x in nodes):
             return CLOCK
         slopes = [x for x in nodes if isinstance(x, n.Derivative) and not x.partial]
         running |= {x.by for x in slopes if _is_unknown(x.of, before) and nodes.count(x.of) > 1}
@@ -321,6 +323,6 @@ def _is_function(node: Node) -> bool:
 
 
 def bare(node: Node) -> Node:
-    while isinstance(node, (n.Rate, n.Group)):
+    while isinstance(node, (n.TimeDerivative, n.Bracketed)):
         node = node.of
     return node.function if isinstance(node, n.Call) else node

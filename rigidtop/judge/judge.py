@@ -15,7 +15,7 @@ from rigidtop.judge.context import (
     Bound,
     Constraint,
     Context,
-    Definition,
+    LetterDefinition,
     LimitingCase,
 )
 from rigidtop.judge.jets import jets
@@ -70,7 +70,7 @@ _KINETIC, _POTENTIAL = Letter("T"), Letter("V")
 _TOTALS = (Letter("E"), Letter("H"))
 """Letters of the whole energy."""
 
-_PRODUCTS = {"⊥": n.Dot, "∥": n.Cross}
+_PRODUCTS = {"⊥": n.DotProduct, "∥": n.CrossProduct}
 """The product of two vectors that vanishes where they stand so to each other."""
 
 GREATER, LESS = ("≥", ">"), ("≤", "<")
@@ -264,17 +264,17 @@ class Judge:
         if function is None:
             if letter in _TOTALS and {_KINETIC, _POTENTIAL} <= context.definitions.keys():
                 total = n.Sum((_KINETIC, _POTENTIAL))
-                yield context.defining(letter, Definition(total, at.number, at.scope))
+                yield context.defining(letter, LetterDefinition(total, at.number, at.scope))
             return
         with suppress(UnclearError):
             for meant in self._meant_by(letter, function, context):
                 if Meaning(context, self.memory).scalar(meant) != 0:
-                    yield context.defining(letter, Definition(meant, at.number, at.scope))
+                    yield context.defining(letter, LetterDefinition(meant, at.number, at.scope))
 
     def _meant_by(self, letter: Letter, function: Letter, context: Context) -> Iterator[Node]:
         """Momenta, or the energy, of a Lagrangian that a letter usually means."""
         value = Meaning(context, self.memory).scalar(function)
-        rates = [n.Rate(jet.letter, 1, True) for jet in coordinates(value)]
+        rates = [n.TimeDerivative(jet.letter, 1, True) for jet in coordinates(value)]
         if letter.base == "p":
             own = [v for v in rates if v.of == Letter(letter.sub)] if letter.sub else rates
             yield from (n.Derivative(function, (v,)) for v in own)
@@ -387,7 +387,7 @@ class Judge:
         self, left: Node, right: Node, at: Situation, context: Context, inner: bool
     ) -> Question:
         if isinstance(right, n.Constant):
-            left, right = n.Rate(left), ZERO
+            left, right = n.TimeDerivative(left), ZERO
         premises = Premises(context, self.memory, at.instant)
         return Question(left, right, at, premises, self.patience, inner)
 
@@ -451,7 +451,9 @@ def _with_open(statement: Statement, at: Situation, context: Context) -> Context
 def _accelerated(question: Question, outcome: Outcome, context: Context) -> Context:
     """What is known with an equation of motion; if one is wrong or open, none is."""
     sides = question.left, question.right
-    if not any(isinstance(x, n.Rate) and x.order == 2 for side in sides for x in n.walked(side)):
+    if not any(
+        isinstance(x, n.TimeDerivative) and x.order == 2 for side in sides for x in n.walked(side)
+    ):
         return context
     if outcome.verdict in (FALSE, UNDECIDED):
         return replace(context, accelerations=())

@@ -36,7 +36,16 @@ from rigidtop.judge.residual import Residual
 from rigidtop.judge.surroundings import surrounding
 from rigidtop.judge.values import LARGEST, UnclearError, pairs, plain
 from rigidtop.judge.vocabulary import Memory
-from rigidtop.tree.nodes import Derivative, Letter, Negative, Number, Rate, letters, mapped, walked
+from rigidtop.tree.nodes import (
+    Derivative,
+    Letter,
+    Negative,
+    Number,
+    TimeDerivative,
+    letters,
+    mapped,
+    walked,
+)
 
 MULTIPLIERS = frozenset({"λ", "μ", "Λ"})
 """Letters that are multipliers where a Lagrangian is linear in them."""
@@ -314,7 +323,7 @@ def hamilton(context: Context) -> list[Constraint]:
     definition, moving = context.definitions[function], context.habits.moving
     made = []
     for form in (definition.node, *definition.also):
-        if any(isinstance(x, Rate) for x in walked(form)):
+        if any(isinstance(x, TimeDerivative) for x in walked(form)):
             continue  # in velocities it is a number, and no Hamiltonian
         own = letters(form) & moving
         if form is definition.node:
@@ -324,7 +333,9 @@ def hamilton(context: Context) -> list[Constraint]:
                 continue
             both = (q, Derivative(form, (p,))), (p, Negative(Derivative(form, (q,))))
             made += [
-                Constraint(Rate(x, 1, True), is_, definition.number, LAW, definition.scope)
+                Constraint(
+                    TimeDerivative(x, 1, True), is_, definition.number, LAW, definition.scope
+                )
                 for x, is_ in both
             ]
     return made

@@ -111,7 +111,7 @@ def _apply(meaning: Meaning, node: n.Apply) -> Value:
     return function(of)
 
 
-def _dot(meaning: Meaning, node: n.Dot) -> Value:
+def _dot(meaning: Meaning, node: n.DotProduct) -> Value:
     left, right = meaning.value(node.left), meaning.value(node.right)
     if isinstance(left, MatrixBase) and isinstance(right, MatrixBase):
         if left.shape == right.shape and left.shape[1] == 1:
@@ -120,7 +120,7 @@ def _dot(meaning: Meaning, node: n.Dot) -> Value:
     return left * right
 
 
-def _cross(meaning: Meaning, node: n.Cross) -> Value:
+def _cross(meaning: Meaning, node: n.CrossProduct) -> Value:
     left, right = meaning.value(node.left), meaning.value(node.right)
     vectors = isinstance(left, MatrixBase), isinstance(right, MatrixBase)
     if not any(vectors):
@@ -204,7 +204,7 @@ def _curvature(meaning: Meaning, node: Curvature) -> Value:
     return ImmutableMatrix(sympy.hessian(meaning.scalar(node.of), [*column]))
 
 
-def _transposed(meaning: Meaning, node: n.Transposed) -> Value:
+def _transposed(meaning: Meaning, node: n.TransposedMatrix) -> Value:
     value = meaning.value(node.of)
     if isinstance(n.ungrouped(node.of), n.Tuple):
         return value  # a row with commas that is turned is the column that we make of it anyway
@@ -215,7 +215,7 @@ def _taken(meaning: Meaning, node: n.Component) -> Value:
     value = meaning.value(node.of)
     names = "123" if node.index in "123" else "xyz"
     if isinstance(value, MatrixBase) and node.index.endswith("′"):  # along e₁′
-        return meaning.scalar(n.Dot(node.of, component_of(Letter("e", node.index)).right))
+        return meaning.scalar(n.DotProduct(node.of, component_of(Letter("e", node.index)).right))
     if not isinstance(value, MatrixBase) or node.index not in names:
         raise UnclearError("a component of what is no vector")
     basis = meaning.context.basis
@@ -227,7 +227,7 @@ AT_REST, IN_BODY = ("space", "inertial", "fixed"), ("body", "rot")
 """How the names of frames begin that do not turn, and of those that turn with **ω**."""
 
 
-def _rate_of(meaning: Meaning, node: n.Rate) -> Value:
+def _rate_of(meaning: Meaning, node: n.TimeDerivative) -> Value:
     if node.frame and not node.frame.startswith(AT_REST):
         if not node.frame.startswith(IN_BODY):
             raise UnclearError(f"a rate seen from {node.frame}")
@@ -276,12 +276,12 @@ def _product(meaning: Meaning, node: n.Product) -> Value:
     for first, behind in pairwise(node.factors):
         own = meaning.context.habits.own | meaning.context.definitions.keys()
         varied = first == Letter("δ") and first not in own
-        if varied and isinstance(behind, (Letter, n.Rate)):
+        if varied and isinstance(behind, (Letter, n.TimeDerivative)):
             raise UnclearError("a variation, δ before a letter, is not judged")
     return multiplied([meaning.value(x) for x in node.factors])
 
 
-def _grouped(meaning: Meaning, node: n.Group) -> Value:
+def _grouped(meaning: Meaning, node: n.Bracketed) -> Value:
     if node.bracket == "[" and isinstance(node.of, Letter):
         raise UnclearError("a dimension, a letter in square brackets, is not judged")
     return meaning.value(node.of)
@@ -343,18 +343,18 @@ _HANDLERS: dict[type[Node], Callable[[Meaning, Any], Value]] = {
     n.Root: lambda m, node: m.scalar(node.of) ** Rational(1, node.degree),
     n.Apply: _apply,
     n.Call: Meaning.call,
-    n.Group: _grouped,
+    n.Bracketed: _grouped,
     n.Braced: lambda m, node: m.value(node.of),
     n.Average: _average,
     n.Absolute: lambda m, node: length(m.value(node.of)),
-    n.Rate: _rate_of,
+    n.TimeDerivative: _rate_of,
     n.Primed: Meaning.primed,
     n.Derivative: Meaning.derivative,
-    n.Dot: _dot,
-    n.Cross: _cross,
+    n.DotProduct: _dot,
+    n.CrossProduct: _cross,
     n.Tuple: _column,
     n.Matrix: _matrix,
-    n.Transposed: _transposed,
+    n.TransposedMatrix: _transposed,
     n.Component: _taken,
     n.Integral: Meaning.integral,
     n.Total: Meaning.total,

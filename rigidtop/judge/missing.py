@@ -154,7 +154,7 @@ def factor(question: Question) -> Outcome | None:
         return None
     term = written(factor)
     words = f"the factor {in_words(term)}"
-    line = f"{latex(question.left)} = {latex(n.Product((term, n.Group(question.right))))}"
+    line = f"{latex(question.left)} = {latex(n.Product((term, n.Bracketed(question.right))))}"
     return Outcome(FALSE, f"{words} is missing", question.rests_on, words, line)
 
 

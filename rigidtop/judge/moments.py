@@ -207,14 +207,14 @@ def _is_kinematic(each: Statement, moving: frozenset[Letter]) -> bool:
     if each.relations != ("=",):
         return False
     left, right = each.sides
-    return isinstance(left, n.Rate) and right in moving and left.of in moving
+    return isinstance(left, n.TimeDerivative) and right in moving and left.of in moving
 
 
 def _is_motion(each: Statement) -> bool:
     """Whether an acceleration stands in it beside the same letter, or its velocity."""
     nodes = {x for side in each.sides for x in n.walked(side)}
-    moved = {x.of for x in nodes if isinstance(x, n.Rate) and x.order > 1}
-    return any(isinstance(x, n.Rate) and x.order == 1 and x.of in moved for x in nodes)
+    moved = {x.of for x in nodes if isinstance(x, n.TimeDerivative) and x.order > 1}
+    return any(isinstance(x, n.TimeDerivative) and x.order == 1 and x.of in moved for x in nodes)
 
 
 def _speaks_of(each: Statement, place: Node | None) -> bool:
@@ -225,7 +225,7 @@ def _speaks_of(each: Statement, place: Node | None) -> bool:
 
 def _has(node: Node, place: Node | None) -> bool:
     """Whether a letter stands in it and not only its rate: at φ = 0 the rate has a value too."""
-    if isinstance(node, n.Rate):
+    if isinstance(node, n.TimeDerivative):
         return False
     return node == place or any(_has(part, place) for part in n.parts(node))
 

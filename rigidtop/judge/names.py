@@ -15,10 +15,10 @@ def is_vector(letter: Letter) -> bool:
     return letter.bold or letter.mark == "hat"
 
 
-def component_of(letter: Letter) -> n.Dot:
+def component_of(letter: Letter) -> n.DotProduct:
     """What a letter is by its name, if it is a component: the vector times a unit vector."""
     axis = Letter("e", letter.sub.rstrip("′"), "′" * letter.sub.count("′"), True)
-    return n.Dot(vector_of(letter), axis)
+    return n.DotProduct(vector_of(letter), axis)
 
 
 def vector_of(letter: Letter) -> Letter:

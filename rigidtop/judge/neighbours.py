@@ -52,7 +52,7 @@ def around(statement: Statement, number: int, context: Context, memory: Memory) 
     if found is None:
         return _varying(statement, context)
     place, centre, small = found
-    if any(isinstance(c.left, n.Rate) for c in context.constraints if c.instant == START):
+    if any(isinstance(c.left, n.TimeDerivative) for c in context.constraints if c.instant == START):
         return context.holding(Constraint(place, centre, number, LAW, (), START))  # let go there
     habits = replace(context.habits, moving=context.habits.moving | {small})
     names = _rates_with_names(context)
@@ -64,7 +64,7 @@ def around(statement: Statement, number: int, context: Context, memory: Memory) 
     known = replace(known, constraints=tuple(_passing(c, centre) for c in known.constraints))
     for gap in steady.gaps(centre, names, habits.moving):
         known = known.holding(Constraint(Meant(gap), ZERO, number, LAW))
-    passed = {place: centre} | {n.Rate(q, 1, True): name for q, name in names.items()}
+    passed = {place: centre} | {n.TimeDerivative(q, 1, True): name for q, name in names.items()}
     for letter, value in passed.items():
         known = known.holding(Constraint(letter, value, number, LAW, (), STEADY))
     return known
@@ -94,7 +94,7 @@ def _varying(statement: Statement, context: Context) -> Context:
     """The context in which η moves if φ̇ = Ω + η is said, where Ω is that of a steady motion."""
     steady = {c.right for c in context.constraints if c.instant == STEADY}
     match statement.sides:
-        case (n.Rate(Letter()), n.Sum((one, other))) if {one, other} & steady:
+        case (n.TimeDerivative(Letter()), n.Sum((one, other))) if {one, other} & steady:
             small = other if one in steady else one
             if isinstance(small, Letter) and small not in context.given:
                 moving = context.habits.moving | {small}
@@ -132,7 +132,7 @@ def _rates_with_names(context: Context) -> dict[Letter, Letter]:
     return {
         definition.node.of: name
         for name, definition in context.definitions.items()
-        if isinstance(definition.node, n.Rate) and isinstance(definition.node.of, Letter)
+        if isinstance(definition.node, n.TimeDerivative) and isinstance(definition.node.of, Letter)
     }
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from sympy import Basic, Expr, Symbol
 
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import FORCED, LAW, RULE, SETTING, Constraint, Definition
+from rigidtop.judge.context import FORCED, LAW, RULE, SETTING, Constraint, LetterDefinition
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.faults import FUNCTIONS, LIKELY, contradiction, is_worked_out, slip
 from rigidtop.judge.jets import TIME, jet_of, jets, rate, symbol
@@ -55,11 +55,11 @@ def letters(question: Question) -> Judgement | None:
     if len(new) == 1:
         solved = _solved(question, new[0])
         if solved is not None:
-            definition = Definition(solved, question.at.number, question.at.scope)
+            definition = LetterDefinition(solved, question.at.number, question.at.scope)
             return brings(question, new), context.defining(new[0], definition)
     square = _square(question)
     if square is not None:
-        root = Definition(n.Root(question.right), question.at.number, question.at.scope)
+        root = LetterDefinition(n.Root(question.right), question.at.number, question.at.scope)
         return brings(question, new), context.defining(square, root)
     known = replace(context, results=context.results | _results(question, new))
     return brings(question, new), known.holding(question.constraint(kind))
@@ -174,7 +174,7 @@ def _solved(question: Question, letter: Letter) -> Node | None:
         return question.right
     if question.right == letter and (question.left in question.moving or _is_kept(letter, gap)):
         return None  # what moves stays at it
-    if isinstance(question.left, n.Rate) or (gap.has(TIME) and question.moves(gap)):
+    if isinstance(question.left, n.TimeDerivative) or (gap.has(TIME) and question.moves(gap)):
         return None  # it makes something move, and stays what it is
     return Meant(-gap.subs(x, 0) / slope)
 
@@ -193,7 +193,7 @@ def rule(question: Question) -> Judgement | None:
     """A rule for any coordinate that has more than the Lagrangian in it, as friction."""
     nodes = [x for side in (question.left, question.right) for x in n.walked(side)]
     slopes = [x for x in nodes if isinstance(x, n.Derivative)]
-    bare = {x.of if isinstance(x, n.Rate) else x for slope in slopes for x in slope.by}
+    bare = {x.of if isinstance(x, n.TimeDerivative) else x for slope in slopes for x in slope.by}
     places = {x for x in bare if isinstance(x, Letter) and is_any(x)}
     functions = {slope.of for slope in slopes if isinstance(slope.of, Letter)}
     known = question.context.definitions
@@ -214,8 +214,8 @@ def law(question: Question) -> Judgement | None:
     if not question.worlds.count or within or question.at.instant or question.at.closed:
         return None
     sides = (question.left, question.right)
-    heads = {side.of if isinstance(side, n.Rate) else side for side in sides}
-    heads |= {x.of for side in sides for x in n.walked(side) if isinstance(x, n.Rate)}
+    heads = {side.of if isinstance(side, n.TimeDerivative) else side for side in sides}
+    heads |= {x.of for side in sides for x in n.walked(side) if isinstance(x, n.TimeDerivative)}
     known = _with_meaning(question)
     said = question.context.definitions
     named = any(
@@ -319,14 +319,14 @@ def _for_the_others(question: Question) -> Iterator[Constraint]:
     slopes = [
         x
         for x in n.walked(question.right)
-        if isinstance(x, n.Derivative) and len(x.by) == 1 and isinstance(x.by[0], n.Rate)
+        if isinstance(x, n.Derivative) and len(x.by) == 1 and isinstance(x.by[0], n.TimeDerivative)
     ]
     if len(slopes) != 1 or not isinstance(slopes[0].of, Letter):
         return
     [own] = slopes[0].by
     value = question.meaning().scalar(slopes[0].of)
     for jet in coordinates(value):
-        if isinstance(own, n.Rate) and jet.letter != own.of:
+        if isinstance(own, n.TimeDerivative) and jet.letter != own.of:
             left, right = (
                 n.replaced(side, own.of, jet.letter) for side in (question.left, question.right)
             )
@@ -336,7 +336,7 @@ def _for_the_others(question: Question) -> Iterator[Constraint]:
 def dot(question: Question) -> Judgement | None:
     """What a dot means, where it is said to be the derivative by another letter than the time."""
     left, right = question.left, question.right
-    if not (isinstance(left, n.Rate) and left.dotted and isinstance(right, n.Derivative)):
+    if not (isinstance(left, n.TimeDerivative) and left.dotted and isinstance(right, n.Derivative)):
         return None
     if left.of != right.of or CLOCK in right.by:
         return None
@@ -366,7 +366,7 @@ def value(question: Question) -> Judgement | None:
         [letter] = fixed
         solved = _solved(question, letter)
         if solved is not None:
-            definition = Definition(solved, at.number, at.scope)
+            definition = LetterDefinition(solved, at.number, at.scope)
             return outcome, context.defining(letter, definition)
     rates = any(jet.order for gap in question.gaps for jet in jets(gap).values())
     # What ties rates, as rolling does, stays, and so do the equations of a list.

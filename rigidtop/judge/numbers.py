@@ -102,7 +102,7 @@ def share(node: Node, nearly: bool = False) -> float:
     mantissas = {
         first
         for x in n.walked(node)
-        if isinstance(x, (n.Product, n.Cross, n.Dot))
+        if isinstance(x, (n.Product, n.CrossProduct, n.DotProduct))
         for first, second in pairwise(n.parts(x))
         if isinstance(second, n.Power) and second.base == n.Number("10")
     }

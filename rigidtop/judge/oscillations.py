@@ -9,7 +9,7 @@ from functools import partial
 
 from sympy import Expr, pi, sqrt
 
-from rigidtop.judge.context import LAW, Definition
+from rigidtop.judge.context import LAW, LetterDefinition
 from rigidtop.judge.faults import multiple, slip
 from rigidtop.judge.jets import jets, symbol
 from rigidtop.judge.letters import FREQUENCIES, PERIODS
@@ -53,7 +53,7 @@ def with_meaning(question: Question, judgement: Judgement) -> Judgement:
         told = wrong.outcome if wrong is not None else _multiple(question, square)
         if told is not None:
             value = Meant(sqrt(_wanted(question, square)[0]))
-            righted = Definition(value, at.number, at.scope)
+            righted = LetterDefinition(value, at.number, at.scope)
             known = question.context.defining(name, righted)
             return replace(told, rests_on=wide.rests_on | grounds), known
     return judgement
@@ -120,7 +120,7 @@ def equations_of_motion(
     for each in question.context.accelerations:
         with suppress(UnclearError):
             nodes = [x for side in (each.left, each.right) for x in n.walked(side)]
-            moved = [x.of for x in nodes if isinstance(x, n.Rate) and x.order == 2]
+            moved = [x.of for x in nodes if isinstance(x, n.TimeDerivative) and x.order == 2]
             if own and not any(x in own for x in moved):
                 continue
             meaning = question.meaning(held=frozenset(x for x in moved if isinstance(x, Letter)))

@@ -9,7 +9,7 @@ import numpy as np
 from sympy import Add, Derivative, Expr, Integral, MatrixBase, Piecewise, Rational, Subs, Symbol
 
 from rigidtop.judge import worlds
-from rigidtop.judge.context import PREMISE, SETTING, START, Constraint, Context, Definition
+from rigidtop.judge.context import PREMISE, SETTING, START, Constraint, Context, LetterDefinition
 from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol
 from rigidtop.judge.laws import residuals
 from rigidtop.judge.letters import CLOCK
@@ -50,7 +50,7 @@ def path_of(question: Question) -> TrialMotion | None:
             return None
     if speaks_of(value, letter):
         return None
-    definition = Definition(node, at.number, at.scope, motion=True)
+    definition = LetterDefinition(node, at.number, at.scope, motion=True)
     return TrialMotion(letter, value, context.forgetting(letter), definition)
 
 
@@ -76,7 +76,7 @@ def speed_of(question: Question) -> TrialMotion | None:
     None if it gives none, or if what holds depends on where the letter is.
     """
     match question.left:
-        case n.Rate(Letter() as letter, 1) if letter in question.moving:
+        case n.TimeDerivative(Letter() as letter, 1) if letter in question.moving:
             pass
         case _:
             return None
@@ -91,7 +91,9 @@ def speed_of(question: Question) -> TrialMotion | None:
     begins = [c for c in question.context.constraints if c.instant and c.left == letter]
     kept = tuple(c for c in question.context.constraints if c not in begins)
     before = replace(question.context, constraints=kept).forgetting(letter)
-    definition = Definition(Meant(sum_of_it), question.at.number, question.at.scope, motion=True)
+    definition = LetterDefinition(
+        Meant(sum_of_it), question.at.number, question.at.scope, motion=True
+    )
     path = TrialMotion(letter, sum_of_it, before, definition)
     placed = any(x.expression.has(symbol(Jet(letter))) for x in laws(replace(question, path=path)))
     return None if placed else path
@@ -184,12 +186,12 @@ def solves(question: Question, value: Expr, begins: bool = True) -> bool:
     left = tuple(c for c in path.context.constraints if c not in solved)
     if not question.new_letters:  # else they say what the new letters are
         said = [c for c in left if c.instant and path.letter in c.letters]
-        ends = [c for c in said if isinstance(c.left, n.Rate) and c.right == ZERO]
+        ends = [c for c in said if isinstance(c.left, n.TimeDerivative) and c.right == ZERO]
         # Whether it is so at a moment of which no time is known, as "in the end", is not seen.
         timed = {START, *path.context.instants}
         starts = tuple(c for c in said if c.instant in timed or c not in ends)
         left = tuple(c for c in left if c in starts or c not in said)
-        tried = Definition(Meant(value), question.at.number, question.at.scope)
+        tried = LetterDefinition(Meant(value), question.at.number, question.at.scope)
         begun = residuals(
             replace(path.context.defining(path.letter, tried), constraints=starts),
             question.memory,
@@ -244,7 +246,7 @@ def _constant(equations: Sequence[Constraint]) -> Iterator[Letter]:
     """The letters of which an equation says that they do not change."""
     for each in equations:
         match each.left:
-            case n.Rate(Letter() as letter, 1) if each.right == ZERO:
+            case n.TimeDerivative(Letter() as letter, 1) if each.right == ZERO:
                 yield letter
 
 

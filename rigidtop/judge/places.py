@@ -11,7 +11,16 @@ from rigidtop.judge.letters import ANGLES, CLOCK, COORDINATES, is_mass
 from rigidtop.judge.sides import is_setting, letters_in, moving_in, named
 from rigidtop.judge.situation import Situation
 from rigidtop.read.phrases import Cue
-from rigidtop.tree.nodes import Derivative, Letter, Node, Number, Power, Rate, letters, mapped
+from rigidtop.tree.nodes import (
+    Derivative,
+    Letter,
+    Node,
+    Number,
+    Power,
+    TimeDerivative,
+    letters,
+    mapped,
+)
 from rigidtop.tree.statement import Statement
 
 _RADII = frozenset("rρ")
@@ -44,7 +53,7 @@ def placed(statement: Statement, at: Situation, context: Context) -> list[Contex
             continue
         value = Constraint(name, letter, at.number, SETTING, at.scope, instant, at.sentence)
         context = context.holding(value)
-    rest = [Rate(letter, order, True) for letter in still for order in (1, 2)]
+    rest = [TimeDerivative(letter, order, True) for letter in still for order in (1, 2)]
     context = _vanishing(context, at, rest)
     if not zeros:
         return [context]
@@ -73,7 +82,7 @@ def resting(at: Situation, context: Context) -> Context:
     """What is known where everything rests for an instant."""
     moving = context.habits.moving - context.definitions.keys()
     still = sorted((x for x in moving if x.base in COORDINATES), key=str)
-    for rate in (Rate(x, 1, True) for x in still):
+    for rate in (TimeDerivative(x, 1, True) for x in still):
         none = Constraint(rate, Number("0"), at.number, SETTING, at.scope, THERE)
         context = context.holding(none)
     return context
@@ -102,13 +111,17 @@ def rests(statement: Statement, at: Situation, context: Context) -> Context | No
     names = [x for x in letters_in(statement) if x.sub == "0" and x.base in COORDINATES]
     pairs = [(replace(x, sub=""), x) for x in names]
     kept = [c for c in context.constraints if (c.left, c.right) in pairs and c.left in moving]
-    begins = any(c.instant == START and isinstance(c.left, Rate) for c in context.constraints)
+    begins = any(
+        c.instant == START and isinstance(c.left, TimeDerivative) for c in context.constraints
+    )
     begins |= START in context.instants or any(CLOCK in letters(x) for x in statement.sides)
     if len(kept) != 1 or begins or moving_in(statement) or at.instant:
         return None
     still = sorted((x for x in moving if x.base in COORDINATES), key=str)
     context = context.holding(replace(kept[0], instant="", until=at.sentence))
-    return _vanishing(context, at, [Rate(x, order, True) for x in still for order in (1, 2)])
+    return _vanishing(
+        context, at, [TimeDerivative(x, order, True) for x in still for order in (1, 2)]
+    )
 
 
 def begun(statement: Statement, at: Situation, context: Context) -> Context | None:
@@ -117,7 +130,9 @@ def begun(statement: Statement, at: Situation, context: Context) -> Context | No
     None if there are several, or if it is said where it begins.
     """
     begins = [c for c in context.constraints if c.instant == START]
-    still = {c.left.of for c in begins if isinstance(c.left, Rate) and c.right == Number("0")}
+    still = {
+        c.left.of for c in begins if isinstance(c.left, TimeDerivative) and c.right == Number("0")
+    }
     placed = {c.left for c in begins}
     free = [x for x in still if isinstance(x, Letter) and x not in placed and x.base in COORDINATES]
     spoken = frozenset().union(*(letters(x.node) for x in context.definitions.values()))
@@ -184,7 +199,7 @@ def with_rates(statement: Statement, context: Context) -> Statement:
     """A statement with the rate of φ where the one of a new letter φ₁ is written."""
 
     def change(node: Node) -> Node:
-        if isinstance(node, Rate) and isinstance(node.of, Letter) and node.of.sub:
+        if isinstance(node, TimeDerivative) and isinstance(node.of, Letter) and node.of.sub:
             bare = replace(node.of, sub="")
             if bare in context.habits.moving and node.of not in context.letters:
                 return replace(node, of=bare)

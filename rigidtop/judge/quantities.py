@@ -14,7 +14,7 @@ from sympy import Expr, Integer, MatrixBase
 
 from rigidtop.judge import energies, extremes
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.context import SETTING, START, Constraint, Context, Definition
+from rigidtop.judge.context import SETTING, START, Constraint, Context, LetterDefinition
 from rigidtop.judge.faults import slip
 from rigidtop.judge.jets import TIME, jet_of, time_at
 from rigidtop.judge.laws import LAGRANGIANS, coordinates
@@ -83,7 +83,7 @@ def _lasting(question: Question, letter: Letter, context: Context) -> Context:
     constant = question.left == letter and letter not in question.moving
     if not constant or letter in context.definitions or question.moves(*question.gaps):
         return context
-    definition = Definition(question.right, question.at.number, question.at.scope)
+    definition = LetterDefinition(question.right, question.at.number, question.at.scope)
     return context.defining(letter, definition)
 
 
@@ -171,7 +171,7 @@ def _of_another(question: Question, letter: Letter) -> Iterator[Quantity]:
     for added in (False, True) if sums else (False,):
         node = known[bare]
         for other, plain in own.items():
-            node = n.replaced(node, plain, n.Group(n.Sum((plain, other))) if added else other)
+            node = n.replaced(node, plain, n.Bracketed(n.Sum((plain, other))) if added else other)
         if node != known[bare]:
             yield Quantity(f"what {in_words(bare)} is of the other", node)
 
@@ -184,7 +184,7 @@ def _momenta(question: Question) -> Iterator[Quantity]:
     with suppress(UnclearError):
         for jet in coordinates(question.meaning().scalar(function)):
             words = f"the momentum of {in_words(jet.letter)}"
-            yield Quantity(words, n.Derivative(function, (n.Rate(jet.letter, 1, True),)))
+            yield Quantity(words, n.Derivative(function, (n.TimeDerivative(jet.letter, 1, True),)))
 
 
 _ENTRY = "an entry of the matrix"
@@ -217,7 +217,7 @@ def _vectors(context: Context, letter: Letter) -> Iterator[Quantity]:
     if place in context.definitions and not letter.sub:
         for base, order in (("v", 1), ("a", 2)):
             if letter.base == base:
-                yield Quantity("the rate of **r**", n.Rate(place, order, True))
+                yield Quantity("the rate of **r**", n.TimeDerivative(place, order, True))
 
 
 # --- Velocities and accelerations ----------------------------------------------------------------
@@ -232,12 +232,12 @@ def _accelerations(question: Question) -> Iterator[Quantity]:
     places = [x for x in map(Letter, sorted(PLACES)) if x in context.letters]
     if SPEED in context.letters and not question.moving and len(places) == 1:
         [place] = places
-        way = Constraint(n.Rate(place, 1, True), SPEED, question.at.number, SUPPOSED)
+        way = Constraint(n.TimeDerivative(place, 1, True), SPEED, question.at.number, SUPPOSED)
         driven = n.letters(context.definitions[SPEED].node) if SPEED in context.definitions else ()
         turning = {x for x in driven if x.base in TURNING}
         moving = context.habits.moving | {place, SPEED, *turning}
         known = replace(context, habits=replace(context.habits, moving=moving)).holding(way)
-        yield Quantity("the acceleration", n.Rate(SPEED, 1, True), known)
+        yield Quantity("the acceleration", n.TimeDerivative(SPEED, 1, True), known)
 
 
 def _ways(question: Question) -> Iterator[Quantity]:
@@ -264,30 +264,32 @@ def _stopping(question: Question) -> Iterator[Quantity]:
         return
     for x in sorted(question.moving, key=str):
         if x.base in PLACES and not x.bold:
-            twice = n.Product((_SQUARE, n.Absolute(n.Rate(x, 2, True))))
+            twice = n.Product((_SQUARE, n.Absolute(n.TimeDerivative(x, 2, True))))
             way = n.Quotient(n.Power(speeds[0], _SQUARE), twice)
             yield Quantity(f"the way until {in_words(x)} stops", way)
 
 
 def _change_of(x: Letter) -> Node:
     """The acceleration of a place, or the rate of a speed."""
-    return n.Rate(x, 1 if x.base in SPEEDS else 2, True)
+    return n.TimeDerivative(x, 1 if x.base in SPEEDS else 2, True)
 
 
 def _speeds(question: Question, letter: Letter) -> Iterator[Quantity]:
     context, at = question.context, question.at
     for x in sorted(question.moving, key=str):
         if x.base in SPEEDS and not x.bold and x != letter:
-            still = Constraint(n.Rate(x, 1, True), ZERO, at.number, SETTING, at.scope, _LATE)
+            still = Constraint(
+                n.TimeDerivative(x, 1, True), ZERO, at.number, SETTING, at.scope, _LATE
+            )
             known = context.forgetting(x).holding(still)
             words = f"the speed that {in_words(x)} reaches"
             yield Quantity(words, n.Absolute(x), known, instant=_LATE)
     for x in sorted(question.moving, key=str):
         if x.base in PLACES and not x.bold:
-            yield Quantity(f"the rate of {in_words(x)}", n.Rate(x, 1, True))
+            yield Quantity(f"the rate of {in_words(x)}", n.TimeDerivative(x, 1, True))
     components = [x for x in map(Letter, "xyz") if x in context.definitions]
     if len(components) > 1 and any(question.meaning().value(x).has(TIME) for x in components):
-        squares = tuple(n.Power(n.Rate(x, 1, True), _SQUARE) for x in components)
+        squares = tuple(n.Power(n.TimeDerivative(x, 1, True), _SQUARE) for x in components)
         yield Quantity("the speed", n.Root(n.Sum(squares)))
     speed = _speed(question)
     if speed is None:
@@ -322,7 +324,7 @@ def _rates(question: Question) -> Iterator[Quantity]:
     """How fast an angle changes."""
     for x in sorted(question.moving, key=str):
         if x.base in ANGLES and not x.bold:
-            yield Quantity(f"the rate of {in_words(x)}", n.Rate(x, 1, True))
+            yield Quantity(f"the rate of {in_words(x)}", n.TimeDerivative(x, 1, True))
 
 
 def _turns(question: Question) -> Iterator[Quantity]:
@@ -355,7 +357,7 @@ def _zeros(question: Question) -> Iterator[Quantity]:
             when = question.meaning().scalar(question.right)
             if isinstance(value, MatrixBase):
                 continue
-            ways = [(value, x), (value.diff(TIME), n.Rate(x, 1, True))]
+            ways = [(value, x), (value.diff(TIME), n.TimeDerivative(x, 1, True))]
             if question.at.cues & {Cue.LANDING, Cue.TURNING}:  # a speed vanishes where it turns
                 lands = (x.base in SPEEDS) == (Cue.TURNING in question.at.cues)
                 ways = ways[:1] if lands else ways[1:] if x.base not in SPEEDS else []
@@ -375,7 +377,7 @@ def _at_a_time(context: Context, letter: Letter) -> Iterator[Quantity]:
             if time is not None and own and x != letter and x.base in COORDINATES | SPEEDS:
                 yield Quantity(f"{in_words(x)} at that time", n.At(x, CLOCK, time))
             if time is not None and letter.base == SPEED.base and x.base in PLACES:
-                way = n.Absolute(n.At(n.Rate(x, 1, True), CLOCK, time))
+                way = n.Absolute(n.At(n.TimeDerivative(x, 1, True), CLOCK, time))
                 yield Quantity(f"the rate of {in_words(x)} at that time", way)
 
 
@@ -411,7 +413,7 @@ def _wrong(question: Question, letter: Letter) -> Judgement | None:
     if question.left != letter:
         return None
     entry = _entry(question, letter)
-    known = [] if entry is None else [Quantity(_ENTRY, n.Group(written(entry)))]
+    known = [] if entry is None else [Quantity(_ENTRY, n.Bracketed(written(entry)))]
     if letter == _KINETIC and not _written_places(question):
         known += energies.kinetic(question)
     for each in known:
@@ -420,7 +422,7 @@ def _wrong(question: Question, letter: Letter) -> Judgement | None:
             wrong = slip(asked)
             if wrong is not None and wrong.change.left == asked.left:
                 line = f"{latex(letter)} = {latex(wrong.change.right)}"
-                righted = Definition(each.node, question.at.number, question.at.scope)
+                righted = LetterDefinition(each.node, question.at.number, question.at.scope)
                 return replace(wrong.outcome, right=line), question.context.defining(
                     letter, righted
                 )

@@ -11,7 +11,7 @@ from functools import cached_property
 from sympy import Expr
 
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, Definition
+from rigidtop.judge.context import PREMISE, SETTING, Constraint, Context, LetterDefinition
 from rigidtop.judge.jets import TIME, Jet, jets, operations, rate, symbol, time_at
 from rigidtop.judge.laws import moved, residuals
 from rigidtop.judge.meaning import Meaning
@@ -103,7 +103,7 @@ class TrialMotion:
     letter: Letter
     value: Expr
     before: Context
-    definition: Definition
+    definition: LetterDefinition
 
     @property
     def context(self) -> Context:

@@ -55,8 +55,8 @@ def judged(question: Question) -> Judgement:
 
 def _either(question: Question, letter: Letter) -> Judgement:
     """A letter that nothing has fixed yet is one of two values."""
-    values = (n.Group(signed(question.right, sign)) for sign in (UPPER, LOWER))
-    gaps = tuple(n.Group(n.Sum((question.left, n.Negative(value)))) for value in values)
+    values = (n.Bracketed(signed(question.right, sign)) for sign in (UPPER, LOWER))
+    gaps = tuple(n.Bracketed(n.Sum((question.left, n.Negative(value)))) for value in values)
     both = replace(question, left=n.Product(gaps), right=ZERO)
     known = question.context.holding(both.constraint(PREMISE))
     return brings(both, [letter]), known

@@ -8,7 +8,7 @@ from dataclasses import replace
 from sympy import Symbol
 
 from rigidtop.judge import worlds as w
-from rigidtop.judge.context import PLACE, SETTING, Context, Definition
+from rigidtop.judge.context import PLACE, SETTING, Context, LetterDefinition
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.jets import TIME, Jet, jet_of, jets
 from rigidtop.judge.numbers import are_numbers
@@ -159,7 +159,7 @@ def number(question: Question) -> Judgement | None:
         value = n.Quotient(value, other)
     if _is_determined(question, letters[-1]):
         return None
-    definition = Definition(value, at.number, at.scope, supposed=True)
+    definition = LetterDefinition(value, at.number, at.scope, supposed=True)
     known = context.defining(letters[-1], definition)
     return Outcome(PREMISE, "a number", question.rests_on_meaning), known
 

@@ -32,7 +32,7 @@ def named(node: Node) -> tuple[Letter | None, tuple[Node, ...]]:
     if isinstance(node, Letter):
         return node, ()
     if isinstance(node, n.Call) and isinstance(node.function, Letter):
-        simple = all(isinstance(n.ungrouped(x), (Letter, n.Rate)) for x in node.places)
+        simple = all(isinstance(n.ungrouped(x), (Letter, n.TimeDerivative)) for x in node.places)
         if simple:
             return node.function, () if node.places == (CLOCK,) else node.places
     return None, ()
@@ -64,7 +64,9 @@ def moving_in(statement: Statement) -> frozenset[Letter]:
         return frozenset(statement.sides[:1])  # type: ignore[arg-type]
     if is_setting(statement.sides[0], statement.sides[-1], ()):
         return frozenset()
-    rates = (x for side in statement.sides for x in n.walked(side) if isinstance(x, n.Rate))
+    rates = (
+        x for side in statement.sides for x in n.walked(side) if isinstance(x, n.TimeDerivative)
+    )
     return frozenset().union(*(n.letters(x.of) for x in rates))
 
 
@@ -100,13 +102,13 @@ def is_start(node: Node) -> bool:
 
 def is_setting(left: Node, right: Node, definitions: Collection[Letter]) -> bool:
     """Whether a letter or a rate is given a number or another letter."""
-    bare = left.of if isinstance(left, n.Rate) and left.dotted else left
+    bare = left.of if isinstance(left, n.TimeDerivative) and left.dotted else left
     if bare is not left and bare in definitions:
         return False
     value = n.ungrouped(right)
     while isinstance(value, n.Negative):
         value = value.of
-    if bare is not left and isinstance(value, n.Rate) and isinstance(value.of, Letter):
+    if bare is not left and isinstance(value, n.TimeDerivative) and isinstance(value.of, Letter):
         value = value.of if value.of.base == getattr(bare, "base", "") else value
     is_named = isinstance(bare, Letter) or is_start(left)
     return is_named and (isinstance(value, (n.Number, Letter)) or is_start(value))
@@ -115,7 +117,7 @@ def is_setting(left: Node, right: Node, definitions: Collection[Letter]) -> bool
 def gives_all_a_value(statement: Statement) -> bool:
     """Whether it gives one number to several letters or rates: ω₁ = ω₂ = 0."""
     *sides, value = statement.sides
-    bare = (x.of if isinstance(x, n.Rate) and x.dotted else x for x in sides)
+    bare = (x.of if isinstance(x, n.TimeDerivative) and x.dotted else x for x in sides)
     are_named = all(isinstance(x, Letter) or is_start(x) for x in bare)
     return are_named and isinstance(value, n.Number) and {*statement.relations} == {"="}
 
@@ -133,7 +135,7 @@ def with_ratio(statement: Statement, moving: Collection[Letter]) -> Statement:
     """What A ∝ B says if they move: that A/B is constant."""
     if statement.relations != ("∝",) or not letters_in(statement) & {*moving, CLOCK}:
         return statement
-    left, right = map(n.Group, statement.sides)
+    left, right = map(n.Bracketed, statement.sides)
     return replace(statement, sides=(n.Quotient(left, right), n.Constant()), relations=("=",))
 
 

@@ -63,7 +63,7 @@ def one_root(question: Question) -> Judgement | None:
     free = letter is not None and letter not in context.definitions
     # A letter that stands for something has a sign, but which way it goes is free.
     if (
-        not (free or isinstance(question.left, (n.Rate, n.Primed)))
+        not (free or isinstance(question.left, (n.TimeDerivative, n.Primed)))
         or question.at.closed
         or question.inner
     ):

@@ -130,7 +130,7 @@ def _single(
                     yield without, f"no factor {plain(factor)}", rank
             for k, pair in enumerate(pairwise(factors)):
                 if all(isinstance(x, Letter) and not x.bold for x in pair):
-                    square = n.Power(n.Group(n.Product(pair)), Number("2"))
+                    square = n.Power(n.Bracketed(n.Product(pair)), Number("2"))
                     rest = (*factors[:k], square, *factors[k + 2 :])
                     squared = n.Product(rest) if len(rest) > 1 else square
                     yield squared, f"{plain(n.Product(pair))} squared", 2.3
@@ -168,14 +168,14 @@ def _single(
                         yield mixed, f"{plain(mixed)} in place of {plain(node)}", 2.4
             inner = n.ungrouped(base)
             if exponent.value == 2 and isinstance(inner, n.Sum):
-                each = n.Group(n.Sum(tuple(map(_squared, inner.terms))))
+                each = n.Bracketed(n.Sum(tuple(map(_squared, inner.terms))))
                 yield each, f"{plain(each)} in place of {plain(node)}", 2.3
             if exponent.value == 2:
                 yield n.Power(base, Number("4")), f"the fourth power of {plain(base)}", 3.0
         case Letter():
             yield n.Power(node, Number("2")), f"{plain(node)} squared", 2.05
             if node in moving:
-                yield n.Rate(node, 1, True), f"a dot on {plain(node)}", 2.8
+                yield n.TimeDerivative(node, 1, True), f"a dot on {plain(node)}", 2.8
             for other_letter in sorted(known | names, key=str):
                 alike = replace(other_letter, mark=node.mark) == node
                 near = other_letter.base == node.base
@@ -189,27 +189,27 @@ def _single(
                     yield other_letter, words, 2.4 if near else 3.2
                 alike_in_kind = near or node.base.swapcase() == other_letter.base
                 if alike_in_kind and node.base in "mMkJI":  # m + M, and k₁ + k₂
-                    both = n.Group(n.Sum((node, other_letter)))
+                    both = n.Bracketed(n.Sum((node, other_letter)))
                     if not alike and not node.bold and not other_letter.bold:
                         yield both, f"{plain(both.of)} in place of {plain(node)}", 2.7
-        case n.Rate(of, order) if order > 0:
+        case n.TimeDerivative(of, order) if order > 0:
             if order > 1:
-                yield n.Rate(of, order - 1, True), f"{order - 1} dot on {plain(of)}", 2.8
+                yield n.TimeDerivative(of, order - 1, True), f"{order - 1} dot on {plain(of)}", 2.8
             elif node.dotted:
                 yield of, f"no dot on {plain(of)}", 2.8
-            yield n.Rate(of, order + 1, node.dotted), f"one more dot on {plain(of)}", 3.0
-        case n.Cross(left, right):
-            yield n.Cross(right, left), "the factors of × exchanged", 1.0
-        case n.Group(n.Sum()):
+            yield n.TimeDerivative(of, order + 1, node.dotted), f"one more dot on {plain(of)}", 3.0
+        case n.CrossProduct(left, right):
+            yield n.CrossProduct(right, left), "the factors of × exchanged", 1.0
+        case n.Bracketed(n.Sum()):
             yield n.Power(node, Number("2")), f"{plain(node)} squared", 3.0
-        case n.Transposed(of):
+        case n.TransposedMatrix(of):
             yield of, "no transpose", 1.0
         case n.Root(of, _):
             yield of, "no root", 3.0
         case n.Quotient(over, under):
             if isinstance(under, n.Sum):
-                square = n.Power(n.Group(under), Number("2"))
-                yield n.Quotient(over, square), f"{plain(n.Group(under))} squared", 3.0
+                square = n.Power(n.Bracketed(under), Number("2"))
+                yield n.Quotient(over, square), f"{plain(n.Bracketed(under))} squared", 3.0
                 for term in {_bare(x) for x in under.terms} - {over}:
                     words = f"{plain(term)} in place of {plain(over)}"
                     yield n.Quotient(term, under), words, 2.5
@@ -220,7 +220,7 @@ def _single(
                 turned = n.Quotient(n.Product((*count, *_factors(under))), _joined(others))
                 yield turned, f"{plain(turned)} in place of {plain(node)}", 2.9
             if n.letters(node):
-                yield n.Power(n.Group(node), Number("2")), f"{plain(node)} squared", 2.2
+                yield n.Power(n.Bracketed(node), Number("2")), f"{plain(node)} squared", 2.2
             yield from _exchanged(over, under)
             yield from _of_the_other_sum(over, under)
 
@@ -230,7 +230,7 @@ def _in_sums(node: Node, sums: frozenset[n.Sum]) -> Iterator[tuple[Node, str, fl
     if isinstance(node, Letter):
         for each in sorted(sums, key=repr):
             if node in map(_bare, each.terms):
-                yield n.Group(each), f"{plain(each)} in place of {plain(node)}", 2.6
+                yield n.Bracketed(each), f"{plain(each)} in place of {plain(node)}", 2.6
 
 
 def _of_the_other_sum(over: Node, under: Node) -> Iterator[tuple[Node, str, float]]:
@@ -302,7 +302,9 @@ def _times(
     factors += [(x, plain(x), 2.1) for x in scalars]
     factors += [(n.Quotient(Number("1"), x), f"1/{plain(x)}", 2.3) for x in scalars]
     factors += [
-        (n.Rate(x, 1, True), f"the rate of {plain(x)}", 2.9) for x in scalars if x in moving
+        (n.TimeDerivative(x, 1, True), f"the rate of {plain(x)}", 2.9)
+        for x in scalars
+        if x in moving
     ]
     for name in ("sin", "cos"):
         for x in scalars:
@@ -321,7 +323,7 @@ def _times(
         for k, term in enumerate(_terms(node)):
             yield from _scaled(node, k, term, factors)
 
-    bare = side.of if isinstance(side, n.Rate) else side
+    bare = side.of if isinstance(side, n.TimeDerivative) else side
     if whole and not isinstance(bare, (n.Sum, n.Tuple, n.Matrix, Number)):
         yield _negated(side), "another sign", 0.2
         yield n.Root(side), "the root of it", 2.5
@@ -333,7 +335,7 @@ def _times(
 
 def _is_name(side: Node) -> bool:
     """Whether it is a letter or a rate of one, which has no factor."""
-    return isinstance(side.of if isinstance(side, n.Rate) else side, Letter)
+    return isinstance(side.of if isinstance(side, n.TimeDerivative) else side, Letter)
 
 
 def _cancels(factor: Node, side: Node) -> bool:
@@ -407,7 +409,7 @@ def _negated(side: Node) -> Node:
     """The same with another sign, without two signs in a row."""
     if isinstance(side, n.Negative):
         return side.of
-    return n.Negative(n.Group(side) if isinstance(side, n.Sum) else side)
+    return n.Negative(n.Bracketed(side) if isinstance(side, n.Sum) else side)
 
 
 def _product(factor: Node, side: Node) -> Node:
@@ -416,7 +418,7 @@ def _product(factor: Node, side: Node) -> Node:
         return n.Negative(_product(factor, side.of))
     if isinstance(side, n.Product):
         return n.Product((factor, *side.factors))
-    return n.Product((factor, n.Group(side) if isinstance(side, n.Sum) else side))
+    return n.Product((factor, n.Bracketed(side) if isinstance(side, n.Sum) else side))
 
 
 def times(factor: Fraction, side: Node) -> Node:

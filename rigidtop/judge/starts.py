@@ -10,7 +10,7 @@ from rigidtop.judge.context import (
     START,
     Constraint,
     Context,
-    Definition,
+    LetterDefinition,
 )
 from rigidtop.judge.letters import CLOCK, COORDINATES, PLACES, SPEED, SPEEDS
 from rigidtop.judge.sides import letters_in
@@ -23,7 +23,7 @@ from rigidtop.tree.nodes import (
     Number,
     Power,
     Product,
-    Rate,
+    TimeDerivative,
     Tuple,
     letters,
     walked,
@@ -58,7 +58,7 @@ def turning(statement: Statement, context: Context, number: int, instant: str) -
     place = statement.sides[0]
     if place not in context.habits.moving or not isinstance(place, Letter):
         return context
-    none = Constraint(Rate(place, 1, True), Number("0"), number, SETTING, (), instant)
+    none = Constraint(TimeDerivative(place, 1, True), Number("0"), number, SETTING, (), instant)
     return context.holding(none) if place.base in COORDINATES else context
 
 
@@ -66,7 +66,7 @@ def with_energy(context: Context, number: int, scope: tuple[int, ...]) -> Contex
     """What is known where energy is conserved."""
     for letter in _TOTALS:
         if letter in context.definitions:
-            kept = Constraint(Rate(letter, 1, True), Number("0"), number, SETTING, scope)
+            kept = Constraint(TimeDerivative(letter, 1, True), Number("0"), number, SETTING, scope)
             return context.holding(kept)
     return context
 
@@ -79,7 +79,7 @@ def with_velocities(statement: Statement, context: Context, number: int) -> Cont
     for letter in sorted(letters_in(statement) - context.letters, key=str):
         speed = Letter("v", letter.base)
         if letter in context.habits.moving and letter.base in PLACES and speed in context.letters:
-            law = Constraint(Rate(letter, 1, True), speed, number, PREMISE)
+            law = Constraint(TimeDerivative(letter, 1, True), speed, number, PREMISE)
             context = context.holding(law)
     return _with_speed(statement, context, number)
 
@@ -89,7 +89,7 @@ def with_acceleration(context: Context, number: int) -> Context | None:
     acceleration, place = Letter("a", bold=True), Letter("r", bold=True)
     if not {acceleration, place} <= context.letters:
         return None
-    return context.holding(Constraint(acceleration, Rate(place, 2), number, PREMISE))
+    return context.holding(Constraint(acceleration, TimeDerivative(place, 2), number, PREMISE))
 
 
 def with_coordinates(statement: Statement, at: Situation, context: Context) -> Context | None:
@@ -104,12 +104,15 @@ def with_coordinates(statement: Statement, at: Situation, context: Context) -> C
     entries = tuple(x if x in context.habits.moving else Number("0") for x in axes)
     if len({*axes} & context.habits.moving) < 2:
         return None
-    columns = {place: Tuple(entries), velocity: Tuple(tuple(Rate(x, 1, True) for x in entries))}
+    columns = {
+        place: Tuple(entries),
+        velocity: Tuple(tuple(TimeDerivative(x, 1, True) for x in entries)),
+    }
     free = context.letters - context.definitions.keys()
     made = context
     for vector, column in columns.items():
         if vector in free:
-            made = made.defining(vector, Definition(column, at.number, at.scope))
+            made = made.defining(vector, LetterDefinition(column, at.number, at.scope))
     return made if made is not context else None
 
 
@@ -122,9 +125,9 @@ def with_force(statement: Statement, context: Context, number: int) -> Context |
     potential = next((x for x in map(Letter, "UV") if x in context.definitions), None)
     side = statement.sides[0]
     match side:
-        case Product((Letter(), Rate(Letter() as place, 2))):
+        case Product((Letter(), TimeDerivative(Letter() as place, 2))):
             pass
-        case Rate(Letter() as place, 2) if context.habits.massless:
+        case TimeDerivative(Letter() as place, 2) if context.habits.massless:
             pass
         case _:
             return None
@@ -140,11 +143,11 @@ def _with_speed(statement: Statement, context: Context, number: int) -> Context:
     timed = any(CLOCK in letters(x) for x in others)
     if place not in context.habits.moving & {*map(Letter, PLACES)} or not timed:
         return context
-    way = Rate(place, 1, True)
+    way = TimeDerivative(place, 1, True)
     always = [c for c in context.constraints if not c.instant]
     rates = {x for c in always for side in (c.left, c.right) for x in walked(side)}
     moving = {x for x in context.habits.moving if x.base in COORDINATES} - {place}
-    known = any(isinstance(x, Rate) and x.of == place for x in rates) or moving
+    known = any(isinstance(x, TimeDerivative) and x.of == place for x in rates) or moving
     if SPEED not in context.letters & context.habits.moving or known:
         return context
     square = Number("2")
@@ -155,5 +158,5 @@ def _with_speed(statement: Statement, context: Context, number: int) -> Context:
 def _still(letter: Letter) -> Node | None:
     """What vanishes at rest of a letter that moves; None if that is not seen by its name."""
     if letter.base in COORDINATES:
-        return Rate(letter, 1, True)
+        return TimeDerivative(letter, 1, True)
     return letter if letter.base in SPEEDS and letter.sub not in {*"123"} else None

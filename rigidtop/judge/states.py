@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from rigidtop.judge.context import SETTING, Constraint, Context, Definition
+from rigidtop.judge.context import SETTING, Constraint, Context, LetterDefinition
 from rigidtop.judge.laws import LAGRANGIANS
 from rigidtop.judge.letters import SPEEDS, TURNING
 from rigidtop.judge.sides import letters_in
 from rigidtop.judge.situation import Situation
 from rigidtop.tree import nodes as n
-from rigidtop.tree.nodes import Letter, Number, Rate
+from rigidtop.tree.nodes import Letter, Number, TimeDerivative
 from rigidtop.tree.statement import Statement
 
 _PAIRS = ({"1", "2"}, {"0", "1"}, {"i", "f"}, {"A", "B"}, {"a", "b"}, {"a", "e"}, {"0", "f"})
@@ -25,7 +25,7 @@ def kept(context: Context, number: int, scope: tuple[int, ...], named: bool) -> 
     letter = _quantity(context, named)
     if letter is None:
         return context
-    return context.holding(Constraint(Rate(letter), Number("0"), number, SETTING, scope))
+    return context.holding(Constraint(TimeDerivative(letter), Number("0"), number, SETTING, scope))
 
 
 def _quantity(context: Context, named: bool) -> Letter | None:
@@ -39,10 +39,10 @@ def _quantity(context: Context, named: bool) -> Letter | None:
     return max(momenta, key=lambda x: known[x].number, default=None)
 
 
-def _has_speed(node: n.Node, known: Mapping[Letter, Definition]) -> bool:
+def _has_speed(node: n.Node, known: Mapping[Letter, LetterDefinition]) -> bool:
     """Whether something in it moves by what it is, or by its name."""
     nodes = [*n.walked(node)]
-    if any(isinstance(x, (Rate, n.Derivative)) for x in nodes):
+    if any(isinstance(x, (TimeDerivative, n.Derivative)) for x in nodes):
         return True
     names = [x for x in nodes if isinstance(x, Letter)]
     inner = (known[x].node for x in names if x in known and known[x].node is not node)
@@ -53,7 +53,9 @@ def _has_speed(node: n.Node, known: Mapping[Letter, Definition]) -> bool:
 
 def _has_a_square(node: n.Node) -> bool:
     """Whether a rate has a square in it, as in a Lagrangian."""
-    return any(isinstance(x, n.Power) and isinstance(x.base, Rate) for x in n.walked(node))
+    return any(
+        isinstance(x, n.Power) and isinstance(x.base, TimeDerivative) for x in n.walked(node)
+    )
 
 
 def stated(statement: Statement, at: Situation, context: Context) -> Context | None:
@@ -92,7 +94,9 @@ def _is_kept(constraint: Constraint) -> bool:
     """Whether it says that a letter does not change."""
     left = constraint.left
     return (
-        isinstance(left, Rate) and isinstance(left.of, Letter) and constraint.right == Number("0")
+        isinstance(left, TimeDerivative)
+        and isinstance(left.of, Letter)
+        and constraint.right == Number("0")
     )
 
 

@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
 from rigidtop.judge import neighbours, places, states
-from rigidtop.judge.context import SETTING, START, Constraint, Context, Definition
+from rigidtop.judge.context import SETTING, START, Constraint, Context, LetterDefinition
 from rigidtop.judge.habits import bare
 from rigidtop.judge.laws import LAGRANGIANS, drags
 from rigidtop.judge.letters import CLOCK
@@ -120,7 +120,7 @@ def _with_rates_for_primes(statement: Statement) -> Statement:
     def turned(node: Node) -> Node:
         match node:
             case n.Primed(Letter() as letter, order):
-                return n.Rate(letter, order, True)
+                return n.TimeDerivative(letter, order, True)
         return node
 
     sides = tuple(n.mapped(side, turned) for side in statement.sides)
@@ -134,7 +134,7 @@ def _along_the_motion(statement: Statement, context: Context) -> Statement:
     def ratio(node: Node) -> Node:
         match node:
             case n.Derivative(Letter() as of, (Letter() as by,), False) if by in moving:
-                return n.Quotient(n.Rate(of, 1, True), n.Rate(by, 1, True))
+                return n.Quotient(n.TimeDerivative(of, 1, True), n.TimeDerivative(by, 1, True))
         return node
 
     sides = tuple(n.mapped(side, ratio) for side in statement.sides)
@@ -179,7 +179,7 @@ def _at_the_latest_time(statement: Statement, context: Context) -> Statement | N
 def _accelerates(statement: Statement) -> bool:
     """Whether a second rate stands in it."""
     nodes = (x for side in statement.sides for x in n.walked(side))
-    return any(isinstance(x, n.Rate) and x.order == 2 for x in nodes)
+    return any(isinstance(x, n.TimeDerivative) and x.order == 2 for x in nodes)
 
 
 def _without_potential(at: Situation, context: Context) -> Context | None:
@@ -189,7 +189,7 @@ def _without_potential(at: Situation, context: Context) -> Context | None:
     known = context.letters | context.definitions.keys()
     if not context.habits.weightless or kinetic is None or energies & known:
         return None
-    return context.defining(LAGRANGIANS[0], Definition(kinetic, at.number, at.scope))
+    return context.defining(LAGRANGIANS[0], LetterDefinition(kinetic, at.number, at.scope))
 
 
 def _to_first_order(at: Situation, context: Context) -> Context | None:
@@ -208,7 +208,7 @@ def _to_first_order(at: Situation, context: Context) -> Context | None:
 
 def _has_rate_of(constraint: Constraint, names: Collection[Node]) -> bool:
     nodes = (x for side in (constraint.left, constraint.right) for x in n.walked(side))
-    return any(isinstance(x, n.Rate) and x.of in names for x in nodes)
+    return any(isinstance(x, n.TimeDerivative) and x.of in names for x in nodes)
 
 
 def _both_equal(at: Situation, context: Context) -> Context | None:
@@ -243,7 +243,7 @@ def _with_indices(statement: Statement, at: Situation, context: Context) -> Cont
         for letter, other in own.items():
             node = n.replaced(node, letter, other)
         if own:
-            made = made.defining(name, Definition(node, at.number, at.scope))
+            made = made.defining(name, LetterDefinition(node, at.number, at.scope))
     return made if made is not context else None
 
 
@@ -261,4 +261,4 @@ def _with_gravity(statement: Statement, at: Situation, context: Context) -> Cont
     if any(isinstance(x, n.Unit) for x in n.walked(right)):
         second = n.Power(n.Unit("s"), n.Number("2"))
         value = n.Product((value, n.Quotient(n.Unit("m"), second)))
-    return context.defining(_WEIGHT, Definition(value, at.number, at.scope))
+    return context.defining(_WEIGHT, LetterDefinition(value, at.number, at.scope))

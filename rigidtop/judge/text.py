@@ -282,12 +282,12 @@ def _step(
             return None, replace(context, not_zero=(*context.not_zero, *each.sides))
         if Cue.CONSTANT not in passage.cues:
             if each.sides[0] in read.habits.units:
-                square = n.Dot(each.sides[0], each.sides[0])
+                square = n.DotProduct(each.sides[0], each.sides[0])
                 one = Constraint(square, n.Number("1"), asked.number, SUPPOSED)
                 return None, context.holding(one)
             context = _on_circle(each.sides[0], passage, asked.number, context)
             return None, _tending(each.sides[0], passage, context)
-        each = Statement((n.Rate(each.sides[0]), n.Number("0")), ("=",), each.position)
+        each = Statement((n.TimeDerivative(each.sides[0]), n.Number("0")), ("=",), each.position)
     if Cue.CONSTRAINT in passage.cues:
         return row(Outcome(PREMISE, "a constraint")), context
     if Cue.REST in passage.cues:

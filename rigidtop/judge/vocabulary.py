@@ -11,7 +11,7 @@ from typing import Self
 import sympy
 from sympy import Expr, ImmutableMatrix, MatrixBase
 
-from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.context import Context, LetterDefinition
 from rigidtop.judge.jets import TIME, Jet, rate, symbol
 from rigidtop.judge.letters import INFINITY
 from rigidtop.judge.names import basis_of, component_of, function_name, is_vector
@@ -43,8 +43,8 @@ class Curvature(Node):
 class Memory:
     """What letters stood for when they were last asked, with what that rested on."""
 
-    values: dict[object, tuple[Value, frozenset[int], dict[Letter, Definition | None]]] = field(
-        default_factory=dict
+    values: dict[object, tuple[Value, frozenset[int], dict[Letter, LetterDefinition | None]]] = (
+        field(default_factory=dict)
     )
     conserved: dict[object, bool] = field(default_factory=dict)
 
@@ -67,7 +67,7 @@ class Vocabulary(ABC):
     chosen: Mapping[Letter, Node] = field(default_factory=dict)
     used: set[int] = field(default_factory=set)
     known: dict[int, Value] | None = None
-    consulted: dict[Letter, Definition | None] = field(default_factory=dict)
+    consulted: dict[Letter, LetterDefinition | None] = field(default_factory=dict)
     depth: int = 0
 
     @property
@@ -143,12 +143,12 @@ class Vocabulary(ABC):
             letter = replace(letter, sub=letter.sub.replace("±", signs[0]).replace("∓", signs[1]))
         return letter
 
-    def definition(self, letter: Letter) -> Definition | None:
+    def definition(self, letter: Letter) -> LetterDefinition | None:
         found = self.context.definitions.get(letter)
         self.consulted[letter] = found
         return found if found is not None else self._neighbour(letter)
 
-    def _neighbour(self, letter: Letter) -> Definition | None:
+    def _neighbour(self, letter: Letter) -> LetterDefinition | None:
         """What x_{n+1} stands for where x_n is given by n."""
         shift = re.fullmatch(r"([a-z])([+-])([0-9])", letter.sub)
         if shift is None:
@@ -160,7 +160,7 @@ class Vocabulary(ABC):
         if known is None or index not in n.letters(known.node):
             return None
         place = n.Sum((index, step if shift[2] == "+" else n.Negative(step)))
-        return replace(known, node=n.replaced(known.node, index, n.Group(place)))
+        return replace(known, node=n.replaced(known.node, index, n.Bracketed(place)))
 
     def index_of(self, letter: Letter) -> str:
         """The index of particles in its name, or that of a body in which it differs."""
@@ -183,7 +183,7 @@ class Vocabulary(ABC):
             return ImmutableMatrix([symbol(Jet(letter, 0, (*place, k))) for k in range(3)])
         return symbol(Jet(letter, 0, place))
 
-    def _defined(self, letter: Letter, definition: Definition) -> Value:
+    def _defined(self, letter: Letter, definition: LetterDefinition) -> Value:
         componentwise = self.context.componentwise
         key = letter, self.sign, self.held, tuple(self.bound.items()), componentwise
         known = self.memory.values.get(key)

@@ -7,7 +7,7 @@ from contextlib import suppress
 import sympy
 from sympy import Expr, Float, Symbol
 
-from rigidtop.judge.context import Definition
+from rigidtop.judge.context import LetterDefinition
 from rigidtop.judge.faults import ratio
 from rigidtop.judge.numbers import are_numbers, compared
 from rigidtop.judge.question import Judgement, Question, alone
@@ -52,7 +52,7 @@ def _root(question: Question, nearly: bool) -> Judgement | None:
                     continue
                 rests_on = frozenset({each.number}) | meaning.used
                 outcome = compared(letter, question.right, [(value, right)], rests_on, nearly)
-                definition = Definition(Meant(value), at.number, at.scope, supposed=True)
+                definition = LetterDefinition(Meant(value), at.number, at.scope, supposed=True)
                 return outcome, context.defining(letter, definition)
     return None
 

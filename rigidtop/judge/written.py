@@ -40,7 +40,7 @@ def _letter(x: sympy.Symbol) -> Node:
     jet = jet_of(x)
     if jet is None:
         return Letter("…")
-    return n.Rate(jet.letter, jet.order, True) if jet.order else jet.letter
+    return n.TimeDerivative(jet.letter, jet.order, True) if jet.order else jet.letter
 
 
 def _number(value: Expr) -> Node:
@@ -67,4 +67,4 @@ def _product(expression: Expr) -> Node:
 
 def _grouped(expression: Expr) -> Node:
     node = written(expression)
-    return n.Group(node) if isinstance(node, n.Sum) else node
+    return n.Bracketed(node) if isinstance(node, n.Sum) else node

@@ -60,4 +60,4 @@ def _letter(each: Statement | Unread) -> Letter | None:
 def _between(one: Node, other: Node) -> Node:
     """The angle between two vectors."""
     lengths = n.Product((n.Absolute(one), n.Absolute(other)))
-    return n.Apply("arccos", n.Quotient(n.Dot(one, other), lengths))
+    return n.Apply("arccos", n.Quotient(n.DotProduct(one, other), lengths))

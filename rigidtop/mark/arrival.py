@@ -92,7 +92,7 @@ def _at_places(
         if node is not None and inside and inside <= places.keys():
             there = n.mapped(node, lambda x: places.get(x, x) if isinstance(x, Letter) else x)
             if {x.sub for x in n.letters(there)} == {own.sub}:
-                values[own] = n.Group(there)
+                values[own] = n.Bracketed(there)
 
     def put(side: Node) -> Node:
         return n.mapped(side, lambda x: values.get(x, x))
@@ -106,7 +106,9 @@ def _frequencies(
     """That ω² is k after ẍ = −k x, where ω is the frequency for which a goal is one."""
     names = [x for x in n.letters(goal.sides[0]) - given if x.base in FREQUENCIES and x.sub]
     for each in said:
-        rates = {x for x in n.walked(each.sides[0]) if isinstance(x, n.Rate) and x.order == 2}
+        rates = {
+            x for x in n.walked(each.sides[0]) if isinstance(x, n.TimeDerivative) and x.order == 2
+        }
         if len(rates) != 1 or len(each.sides) != 2:
             continue
         [acceleration] = rates
@@ -115,13 +117,13 @@ def _frequencies(
             continue
         place = n.replaced(left, acceleration, acceleration.of)
         for name in names:
-            square = n.Negative(n.Quotient(n.Group(right), n.Group(place)))
+            square = n.Negative(n.Quotient(n.Bracketed(right), n.Bracketed(place)))
             yield replace(each, sides=(n.Power(name, n.Number("2")), square))
 
 
 def _is_multiple(side: Node, place: Node) -> bool:
     """Whether a side is a product with a letter that stands nowhere else in it."""
-    while isinstance(side, n.Negative | n.Group):
+    while isinstance(side, n.Negative | n.Bracketed):
         side = side.of
     factors = side.factors if isinstance(side, n.Product) else ()
     return place in factors and sum(x == place for x in n.walked(side)) == 1
@@ -390,7 +392,7 @@ def _letters(written_in: Statement | Node) -> frozenset[Letter]:
 
 def head(node: Node) -> Node:
     """What is differentiated, grouped or called on a side, to its innermost."""
-    while isinstance(node, (n.Rate, n.Group, n.Call)):
+    while isinstance(node, (n.TimeDerivative, n.Bracketed, n.Call)):
         node = node.function if isinstance(node, n.Call) else node.of
     return node
 
@@ -399,7 +401,7 @@ def _spelt_slopes(sound: Iterable[Statement]) -> frozenset[Node]:
     """The derivatives of which is said what they are, as ∂ℒ/∂φ̇ = λ₁ φ̇ sin² θ + …"""
 
     def spells(side: Node) -> bool:
-        return isinstance(side, n.Sum | n.Product | n.Group) and not any(
+        return isinstance(side, n.Sum | n.Product | n.Bracketed) and not any(
             isinstance(x, n.Derivative) for x in n.walked(side)
         )
 

@@ -103,7 +103,7 @@ def _trial(each: Statement, facts: Collection[Letter]) -> Statement:
     match each.sides:
         case (Letter() as name, motion) if each.relations == ("∝",) and CLOCK in n.letters(motion):
             amplitude = Letter("c", name.base + name.sub)
-            sides = (name, n.Product((amplitude, n.Group(motion))))
+            sides = (name, n.Product((amplitude, n.Bracketed(motion))))
             return replace(each, sides=sides, relations=("=",))
         case (Letter() as name, n.Apply("Re", motion)) if CLOCK in n.letters(motion):
             if not n.letters(motion) & {*facts} - ALWAYS:
@@ -164,7 +164,7 @@ def _is_transformation(each: Statement, names: Names) -> bool:
 
 def _is_notation(each: Statement) -> bool:
     """Whether it says how a derivative is written: ∂_θ ℒ = ∂ℒ/∂θ."""
-    return len({*each.sides}) == 1 and isinstance(each.sides[0], (n.Derivative, n.Rate))
+    return len({*each.sides}) == 1 and isinstance(each.sides[0], (n.Derivative, n.TimeDerivative))
 
 
 _SUPPOSE = re.compile(
@@ -230,7 +230,7 @@ def _is_measured(passage: Passage, each: Statement, facts: Collection[Letter]) -
 
 def _is_value(passage: Passage, each: Statement) -> bool:
     """Whether letters, or their rates, or a product of them are given a number."""
-    sides = (x.of if isinstance(x, n.Rate | n.Primed) else x for x in each.sides[:-1])
+    sides = (x.of if isinstance(x, n.TimeDerivative | n.Primed) else x for x in each.sides[:-1])
     number = not any(isinstance(x, Letter) for x in n.walked(each.sides[-1]))
     names = (y for x in sides for y in (x.factors if isinstance(x, n.Product) else (x,)))
     return not passage.display and number and all(isinstance(x, Letter) for x in names)
@@ -300,7 +300,7 @@ def _explained_first(read: Read, facts: Collection[Letter]) -> list[int]:
     """
     order: list[int] = []
     sides = [x for _, each in read if isinstance(each, Statement) for x in each.sides]
-    solved = {x.of for side in sides for x in n.walked(side) if isinstance(x, n.Rate)}
+    solved = {x.of for side in sides for x in n.walked(side) if isinstance(x, n.TimeDerivative)}
     said = -1  # the sentence in which the last statement says what a letter stands for
     for number, (passage, each) in enumerate(read):
         place, name = len(order), _explained(each, facts)
@@ -333,7 +333,7 @@ def _is_motion(use: Statement | Unread) -> bool:
     """Whether something is given in time."""
     if isinstance(use, Unread) or not any(CLOCK in n.letters(x) for x in use.sides[1:]):
         return False
-    return not any(isinstance(x, n.Rate) for x in n.walked(use.sides[0]))
+    return not any(isinstance(x, n.TimeDerivative) for x in n.walked(use.sides[0]))
 
 
 def _only_names(use: Statement, name: Letter | None) -> bool:
@@ -343,9 +343,9 @@ def _only_names(use: Statement, name: Letter | None) -> bool:
         match side:
             case n.Product(many):
                 factors |= {*many}
-            case n.Dot(left, right):
+            case n.DotProduct(left, right):
                 factors |= {left, right}
-    return isinstance(use.sides[0], n.Rate) or (ZERO in use.sides and name in factors)
+    return isinstance(use.sides[0], n.TimeDerivative) or (ZERO in use.sides and name in factors)
 
 
 def _explained(each: Statement | Unread, facts: Collection[Letter]) -> Letter | None:

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import replace
 from itertools import pairwise
 
-from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Definition, Habits
+from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Habits, LetterDefinition
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.laws import LAGRANGIANS
 from rigidtop.judge.letters import CLOCK
@@ -82,7 +82,7 @@ def believing(context: Context, each: Statement) -> Context:
         number = context.definitions[left].number
         lawless = context.lawless and left not in LAGRANGIANS
         changed = replace(context, constraints=kept, lawless=lawless)
-        return changed.defining(left, Definition(right, number))
+        return changed.defining(left, LetterDefinition(right, number))
     laws = tuple(Constraint(a, b, -1, LAW) for a, b in pairwise(each.sides))
     return replace(context, constraints=(*kept, *laws), lawless=True)
 
@@ -127,7 +127,7 @@ def habits_in(read: Read, task: Task) -> Habits:
     own = habits_of(stated)
     nodes = [node for each in stated for side in each.sides for node in n.walked(side)]
     primed = {x.of for x in nodes if isinstance(x, n.Primed)}
-    dotted = any(isinstance(x, n.Rate) and x.dotted for x in nodes)
+    dotted = any(isinstance(x, n.TimeDerivative) and x.dotted for x in nodes)
     known = frozenset().union(*(context.letters for context in task.contexts))
     moving = frozenset().union(*(context.habits.moving for context in task.contexts))
     axes = any(isinstance(x, Letter) and replace(x, mark="′") in known for x in primed)

@@ -9,7 +9,7 @@ from typing import Any
 import sympy
 from sympy import Expr, ImmutableMatrix, MatrixBase, Symbol, eye
 
-from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Definition, Habits
+from rigidtop.judge.context import LAW, SETTING, Constraint, Context, Habits, LetterDefinition
 from rigidtop.judge.jets import TIME, Jet, jets, rate, symbol
 from rigidtop.judge.vocabulary import Meant
 from rigidtop.proof.model import Model
@@ -81,12 +81,12 @@ def with_angles(known: Context) -> Context:
     axes = _mapped(primed_matrix())
     for k in (0, 1):
         axis = Letter("e", str(k + 1), "′", bold=True)
-        definitions[axis] = Definition(Meant(ImmutableMatrix(axes[:, k])), GIVEN)
+        definitions[axis] = LetterDefinition(Meant(ImmutableMatrix(axes[:, k])), GIVEN)
     for k, name in enumerate("xyz"):
         fixed = Letter(name, mark="hat", bold=True)
-        definitions[fixed] = Definition(Meant(ImmutableMatrix(eye(3)[:, k])), GIVEN)
+        definitions[fixed] = LetterDefinition(Meant(ImmutableMatrix(eye(3)[:, k])), GIVEN)
     momentum = definitions[Letter("L", bold=True)].node
-    definitions[Letter("L", "z")] = Definition(Meant(momentum.value[2]), GIVEN)  # type: ignore[attr-defined]
+    definitions[Letter("L", "z")] = LetterDefinition(Meant(momentum.value[2]), GIVEN)  # type: ignore[attr-defined]
     letters = known.letters | angles | definitions.keys()
     return replace(
         known,
@@ -139,7 +139,7 @@ class _Given:
     def __init__(self, model: Model) -> None:
         self.model = model
         self.axes, self.in_space = _axes(model.meaning)
-        self.definitions: dict[Letter, Definition] = {}
+        self.definitions: dict[Letter, LetterDefinition] = {}
         self.constraints: list[Constraint] = []
         for x, value in model.meaning.items():
             if isinstance(x, Symbol) and value != x:
@@ -170,7 +170,7 @@ class _Given:
         [jet] = jets(made).values() if made != TIME else [None]
         if jet is None or jet.order or callable(value):
             return
-        self.definitions[jet.letter] = Definition(Meant(self.value(value)), GIVEN)
+        self.definitions[jet.letter] = LetterDefinition(Meant(self.value(value)), GIVEN)
 
     def _move(self, x: Symbol, slope: Expr) -> None:
         if x == s.t:
@@ -208,14 +208,14 @@ class _Given:
         vectors = [x for x in self.definitions if x.bold and not x.sub and not x.mark]
         return frozenset(replace(x, bold=False) for x in vectors) - {*self.definitions}
 
-    def tensor(self) -> dict[Letter, Definition]:
+    def tensor(self) -> dict[Letter, LetterDefinition]:
         """The tensor of inertia, where axes are known in which it is diagonal."""
         if self.in_space is None:
             return {}
         second = s.lambda1 if self.axes == "primed" else s.lambda2
         moments = sympy.diag(*(number(x) for x in (s.lambda1, second, s.lambda3)))
         turned = ImmutableMatrix(self.in_space * moments * self.in_space.T)
-        return {TENSOR: Definition(Meant(turned), GIVEN)}
+        return {TENSOR: LetterDefinition(Meant(turned), GIVEN)}
 
     def bases(self) -> tuple[MatrixBase, ...]:
         """The axes along which components may be meant: those of the model first."""

@@ -30,7 +30,7 @@ def linearised(each: Statement, small: bool, number: int, context: Context) -> C
     match left, right:
         case Letter() as letter, (n.Constant() | Letter()):
             pass
-        case n.Rate(Letter() as letter, 1), _ if right == ZERO:
+        case n.TimeDerivative(Letter() as letter, 1), _ if right == ZERO:
             pass
         case _:
             return None
@@ -48,7 +48,7 @@ def linearised(each: Statement, small: bool, number: int, context: Context) -> C
 def remembering(each: Statement, outcome: Outcome, number: int, context: Context) -> Context:
     """What is known with an equation for one component, if it follows: exp(κ t) is put into it."""
     left, *_, right = each.sides
-    if not (outcome.passed and each.relations == ("=",) and isinstance(left, n.Rate)):
+    if not (outcome.passed and each.relations == ("=",) and isinstance(left, n.TimeDerivative)):
         return context
     if left.order < 2:
         return context

@@ -51,7 +51,7 @@ class Names:
         defined = frozenset(head(each.sides[0]) for each in stated)
         moving = frozenset().union(*(context.habits.moving for context in contexts))
         nodes = [node for each in stated for side in each.sides for node in n.walked(side)]
-        rates = {x.of for x in nodes if isinstance(x, n.Rate)}
+        rates = {x.of for x in nodes if isinstance(x, n.TimeDerivative)}
         called: dict[str, str] = {}
         for each in stated:
             for pair in (each.sides, each.sides[::-1]):
@@ -81,7 +81,7 @@ class Names:
 
     def _meant(self, node: Node) -> Node:
         match node:
-            case n.Product((Letter() as tensor, Letter("ω", bold=True) as omega)) | n.Dot(
+            case n.Product((Letter() as tensor, Letter("ω", bold=True) as omega)) | n.DotProduct(
                 Letter() as tensor, Letter("ω", bold=True) as omega
             ) if tensor.base in _TENSORS and not tensor.sub and tensor not in self.facts:
                 return n.Product((TENSOR, omega))
@@ -110,7 +110,9 @@ class Names:
                 return known
         bare = replace(letter, sub="")
         # θ_t is θ̇.
-        return n.Rate(bare, 1, True) if letter.sub == "t" and bare in self.facts else letter
+        return (
+            n.TimeDerivative(bare, 1, True) if letter.sub == "t" and bare in self.facts else letter
+        )
 
 
 def _is_column(side: Node) -> bool:

@@ -17,7 +17,7 @@ from math import inf
 
 from sympy import Expr, ImmutableMatrix
 
-from rigidtop.judge.context import LAW, Constraint, Context, Definition
+from rigidtop.judge.context import LAW, Constraint, Context, LetterDefinition
 from rigidtop.judge.habits import habits_of
 from rigidtop.judge.jets import Jet, symbol
 from rigidtop.judge.judge import Judge
@@ -40,8 +40,7 @@ from rigidtop.mark.held import contexts
 from rigidtop.mark.task import ALWAYS, Subject, letters, stated
 from rigidtop.proof.equation import Equation
 from rigidtop.proof.letters import Letters
-from rigidtop.proof.page import Claim, Page
-from rigidtop.proof.page import Definition as Naming
+from rigidtop.proof.page import Claim, Definition, Page
 from rigidtop.proof.verdict import Judgement, judge
 from rigidtop.read.document import Numbered, lines, numbered
 from rigidtop.read.macros import PACKAGES, Macros
@@ -233,7 +232,7 @@ def _entry(claim: Claim, page: Page, subject: Subject, known: Letters) -> _Entry
     findings = [x for x in judgement.findings() if x.check.printed]
     printed = {s: x.verdict.value for x in findings for s in _statements(x.check.claimed)}
     for item in judgement.items:
-        if isinstance(item, Naming):
+        if isinstance(item, Definition):
             printed |= dict.fromkeys(_statements(item.equation), DEFINED)
     sound = [s for s, verdict in printed.items() if verdict in _SHOWN]
     sound += [s for x in judgement.corrections() for s in _statements(x.check.claimed)]
@@ -292,7 +291,9 @@ def _worlds(premises: Sequence[Statement], matrices: Iterable[Letter]) -> Contex
     known, judge = Context(habits_of(premises)), Judge()
     for letter in spoken & {*matrices}:
         entries = [symbol(Jet(letter, 0, (k,))) for k in range(9)]
-        known = known.defining(letter, Definition(Meant(ImmutableMatrix(3, 3, entries)), GIVEN))
+        known = known.defining(
+            letter, LetterDefinition(Meant(ImmutableMatrix(3, 3, entries)), GIVEN)
+        )
     for k, each in enumerate(dict.fromkeys(premises)):
         outcome, after = in_time(judge, each, Situation(GIVEN - 1 - k), known)
         if outcome.verdict == UNDECIDED:

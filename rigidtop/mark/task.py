@@ -270,7 +270,7 @@ def _otherwise(
 
 def _written_out(together: Together, calls: Sequence[Statement]) -> Together:
     """Statements with what the pages call something in the place of its name."""
-    values = {x.sides[0]: n.Group(x.sides[1]) for x in calls}
+    values = {x.sides[0]: n.Bracketed(x.sides[1]) for x in calls}
 
     def written(each: Statement) -> Statement:
         if each.sides[0] in values:
@@ -311,13 +311,13 @@ def _cosine(said: Sequence[Statement]) -> Together:
     values = {
         (x.sides[0].left, x.sides[0].right): x.sides[-1]
         for x in reversed(said)
-        if isinstance(x.sides[0], n.Dot) and n.letters(x.sides[-1]) and x.relations == ("=",)
+        if isinstance(x.sides[0], n.DotProduct) and n.letters(x.sides[-1]) and x.relations == ("=",)
     }
     for (u, v), product in values.items():
         if u != v and (u, u) in values and (v, v) in values:
             size = n.Product((n.Absolute(u), n.Absolute(v)))
             roots = n.Product((n.Root(values[u, u]), n.Root(values[v, v])))
-            sides = n.Quotient(n.Dot(u, v), size), n.Quotient(product, roots)
+            sides = n.Quotient(n.DotProduct(u, v), size), n.Quotient(product, roots)
             return (Statement(sides, ("=",), 0),)
     return ()
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from sympy import ImmutableMatrix
 
-from rigidtop.judge.context import Context, Definition
+from rigidtop.judge.context import Context, LetterDefinition
 from rigidtop.judge.meaning import AT_REST, IN_BODY
 from rigidtop.judge.sides import ZERO
 from rigidtop.judge.vocabulary import Meant
@@ -29,7 +29,7 @@ def in_body(each: Statement) -> Statement | None:
 
     def seen(node: Node) -> Node:
         match node:
-            case n.Rate(Letter(bold=True), frame=""):
+            case n.TimeDerivative(Letter(bold=True), frame=""):
                 return replace(node, frame="body")
         return node
 
@@ -40,8 +40,8 @@ def in_body(each: Statement) -> Statement | None:
 def is_turned(each: Statement) -> bool:
     """Whether **ω** × **A** stands beside a rate of **A**, as it does where that is of the body."""
     nodes = [node for side in each.sides for node in n.walked(side)]
-    rates = {x.of for x in nodes if isinstance(x, n.Rate)}
-    crossed = [(x.left, x.right) for x in nodes if isinstance(x, n.Cross)]
+    rates = {x.of for x in nodes if isinstance(x, n.TimeDerivative)}
+    crossed = [(x.left, x.right) for x in nodes if isinstance(x, n.CrossProduct)]
     return any(_OMEGA in pair and {*pair} & rates for pair in crossed)
 
 
@@ -54,15 +54,17 @@ def in_its_frame(each: Statement) -> Statement | None:
     Of (dA/dt)_frame + w × A that is w.
     """
     nodes = [node for side in each.sides for node in n.walked(side)]
-    crossed = [(x.left, x.right) for x in nodes if isinstance(x, n.Cross)]
+    crossed = [(x.left, x.right) for x in nodes if isinstance(x, n.CrossProduct)]
 
     def seen(node: Node) -> Node:
         match node:
-            case n.Rate(of, 1, _, frame) if frame and not frame.startswith((*AT_REST, *IN_BODY)):
+            case n.TimeDerivative(of, 1, _, frame) if frame and not frame.startswith(
+                (*AT_REST, *IN_BODY)
+            ):
                 beside = {b if a == of else a for a, b in crossed if of in (a, b)}
                 if len(beside) == 1:
-                    moved = n.Negative(n.Cross(beside.pop(), of))
-                    return n.Group(n.Sum((n.Rate(of, dotted=True), moved)))
+                    moved = n.Negative(n.CrossProduct(beside.pop(), of))
+                    return n.Bracketed(n.Sum((n.TimeDerivative(of, dotted=True), moved)))
         return node
 
     sides = tuple(n.mapped(side, seen) for side in each.sides)
@@ -98,11 +100,11 @@ def aligned(
         return each, contexts
     named = all(_VERTICAL in x.definitions for x in contexts)
     up: Node = _VERTICAL if named else Meant(ImmutableMatrix([0, 0, 1]))
-    component = Definition(n.Dot(vector, up), GIVEN)
+    component = LetterDefinition(n.DotProduct(vector, up), GIVEN)
     known = tuple(
         replace(x.defining(length, component), not_zero=(*x.not_zero, length)) for x in contexts
     )
-    along = replace(each, sides=(n.Cross(vector, up), n.Number("0")), relations=("=",))
+    along = replace(each, sides=(n.CrossProduct(vector, up), n.Number("0")), relations=("=",))
     return along, known
 
 
@@ -116,12 +118,12 @@ def of_vectors(each: Statement, contexts: Sequence[Context]) -> Statement | None
 
     def seen(node: Node) -> Node:
         match node:
-            case n.Dot(n.Product((*factors, Letter() as left)), Letter() as right):
-                return n.Product((*factors, n.Dot(vector(left), vector(right))))
-            case n.Dot(Letter() as left, Letter() as right):
-                return n.Dot(vector(left), vector(right))
-            case n.Cross(Letter() as left, Letter() as right):
-                return n.Cross(vector(left), vector(right))
+            case n.DotProduct(n.Product((*factors, Letter() as left)), Letter() as right):
+                return n.Product((*factors, n.DotProduct(vector(left), vector(right))))
+            case n.DotProduct(Letter() as left, Letter() as right):
+                return n.DotProduct(vector(left), vector(right))
+            case n.CrossProduct(Letter() as left, Letter() as right):
+                return n.CrossProduct(vector(left), vector(right))
         return node
 
     sides = tuple(n.mapped(side, seen) for side in each.sides)
@@ -132,7 +134,10 @@ def of_whole_vector(each: Statement, contexts: Sequence[Context]) -> Statement |
     """ω̇ = 0 or ω = const of the vector **ω**, which says more than of its length."""
     given = frozenset().union(*(context.given for context in contexts))
     match each.sides:
-        case (n.Rate(Letter(bold=False) as letter) | (Letter(bold=False) as letter), right):
+        case (
+            n.TimeDerivative(Letter(bold=False) as letter) | (Letter(bold=False) as letter),
+            right,
+        ):
             bold = replace(letter, bold=True)
             if bold in given and (right == ZERO or isinstance(right, n.Constant)):
                 left = n.mapped(each.sides[0], lambda x: bold if x == letter else x)

@@ -16,7 +16,7 @@ from rigidtop.tree.nodes import (
     Absolute,
     Average,
     Braced,
-    Group,
+    Bracketed,
     Matrix,
     Node,
     Number,
@@ -58,7 +58,7 @@ def bracket(grammar: Grammar) -> Node:
     if isinstance(node, Tuple):
         pair = len(node.entries) == 2 and token.text in "{["  # {q, p}
         return replace(node, bracket=token.text) if pair else node
-    return Group(node, token.text)
+    return Bracketed(node, token.text)
 
 
 def bar(grammar: Grammar) -> Node:

@@ -24,7 +24,7 @@ from rigidtop.tree.nodes import (
     Nabla,
     Node,
     Quotient,
-    Rate,
+    TimeDerivative,
     Tuple,
     letters,
     ungrouped,
@@ -80,7 +80,7 @@ def differentiated(grammar: Grammar, sign: str) -> Node | None:
         of = differential_of(grammar)
     elif grammar.peek().kind == "group" and first.kind != "letter":
         inner = grammar.node_of(grammar.peek().group)
-        of = inner if isinstance(inner, (Letter, Rate)) else None
+        of = inner if isinstance(inner, (Letter, TimeDerivative)) else None
         grammar.at += of is not None
     elif grammar.peek().kind == "open" and close:
         of = ungrouped(grammar.primary([])) if grammar.at in grammar.partners else None
@@ -89,7 +89,9 @@ def differentiated(grammar: Grammar, sign: str) -> Node | None:
         check_order(order, by, first.position)
         return derivative_of(sign, _operand(grammar) if of is None else of, by)
     usual = sign == "∂" or grammar.reading.differentials or loose
-    usual = usual and not (grammar.reading.lettered and (order > 1 or isinstance(of, Rate)))
+    usual = usual and not (
+        grammar.reading.lettered and (order > 1 or isinstance(of, TimeDerivative))
+    )
     if of is not None and usual and grammar.items[grammar.at - 1].kind != "close":
         return Differential(of, order, sign == "∂")
     grammar.at = start
@@ -122,7 +124,7 @@ def _variable(grammar: Grammar) -> Node | None:
         return None
     start = grammar.at
     variable = ungrouped(grammar.primary([]))
-    if isinstance(variable, (Letter, Rate)):
+    if isinstance(variable, (Letter, TimeDerivative)):
         return variable
     grammar.at = start
     return None

@@ -82,7 +82,7 @@ def _primed(meaning: Expressions, node: n.Primed) -> Any:
 _DOTS = {1: "dot", 2: "ddot"}
 
 
-def _rate(meaning: Expressions, node: n.Rate) -> Any:
+def _rate(meaning: Expressions, node: n.TimeDerivative) -> Any:
     of = node.of
     if node.frame:
         if node.frame not in _FRAMES:
@@ -106,7 +106,7 @@ def _rates(of: Any, count: int) -> Any:
 _FRAMES = {"space": eq.SPACE, "body": eq.BODY}
 
 
-def _group(meaning: Expressions, node: n.Group) -> Any:
+def _group(meaning: Expressions, node: n.Bracketed) -> Any:
     if isinstance(node.of, n.Number) and "." in node.of.text and node.of.value > 1:
         raise UnknownError(
             "a number in brackets: as the equation's own, put it behind a comma or in \\tag{}; "
@@ -209,7 +209,7 @@ _OF_MATRICES = ("det", "tr")
 def is_of_matrices(node: n.Node, meaning: Expressions) -> bool:
     """Whether something stands in it that only matrices have, or a letter that is always one."""
     for x in n.walked(node):
-        if isinstance(x, (n.Matrix, n.Transposed)):
+        if isinstance(x, (n.Matrix, n.TransposedMatrix)):
             return True
         if isinstance(x, n.Apply) and x.name in _OF_MATRICES:
             return True
@@ -224,7 +224,7 @@ def is_of_matrices(node: n.Node, meaning: Expressions) -> bool:
 def _acts(meaning: Expressions, left: n.Node, right: n.Node) -> bool:
     """Whether A stands before a vector."""
     named = isinstance(left, n.Letter) and meaning.symbol(left) == s.A
-    bare = right.of if isinstance(right, n.Rate) else right
+    bare = right.of if isinstance(right, n.TimeDerivative) else right
     return named and isinstance(bare, n.Letter) and bare.bold
 
 
@@ -300,7 +300,7 @@ def _matrix(meaning: Expressions, rows: Sequence[Sequence[n.Node]]) -> Any:
     return sympy.ImmutableMatrix(entries)
 
 
-def _transposed(meaning: Expressions, node: n.Transposed) -> Any:
+def _transposed(meaning: Expressions, node: n.TransposedMatrix) -> Any:
     of = meaning.of(node.of)
     if isinstance(of, MatrixBase):
         return of.T
@@ -318,7 +318,7 @@ def _absolute(meaning: Expressions, node: n.Absolute) -> Any:
     return sympy.Abs(of, evaluate=False)
 
 
-def _dot(meaning: Expressions, node: n.Dot) -> Any:
+def _dot(meaning: Expressions, node: n.DotProduct) -> Any:
     left, right = meaning.of(node.left), meaning.of(node.right)
     if kind(left) == kind(right) == "vector":
         return eq.Dot(left, right)
@@ -327,7 +327,7 @@ def _dot(meaning: Expressions, node: n.Dot) -> Any:
     raise UnknownError(f"· between a {kind(left)} and a {kind(right)}")
 
 
-def _cross(meaning: Expressions, node: n.Cross) -> Any:
+def _cross(meaning: Expressions, node: n.CrossProduct) -> Any:
     left, right = meaning.of(node.left), meaning.of(node.right)
     if kind(left) == kind(right) == "vector":
         return eq.Cross(left, right)
@@ -348,13 +348,13 @@ _FUNCTIONS: dict[str, Any] = {
 _HANDLERS: dict[type, Callable[[Expressions, Any], Any]] = {
     n.Letter: _letter,
     n.Primed: _primed,
-    n.Rate: _rate,
+    n.TimeDerivative: _rate,
     n.Number: lambda m, x: Rational(x.value.numerator, x.value.denominator),
     n.Sum: _sum,
     n.Product: _product,
     n.Quotient: _quotient,
     n.Negative: lambda m, x: _times(Integer(-1), m.of(x.of)),
-    n.Group: _group,
+    n.Bracketed: _group,
     n.Power: _power,
     n.Root: _root,
     n.Apply: _apply,
@@ -366,8 +366,8 @@ _HANDLERS: dict[type, Callable[[Expressions, Any], Any]] = {
     n.Matrix: lambda m, x: _matrix(m, x.rows),
     n.Tuple: lambda m, x: _matrix(m, [x.entries]),
     n.Absolute: _absolute,
-    n.Cross: _cross,
-    n.Dot: _dot,
-    n.Transposed: _transposed,
+    n.CrossProduct: _cross,
+    n.DotProduct: _dot,
+    n.TransposedMatrix: _transposed,
     n.Constant: lambda m, x: s.const,
 }

@@ -2,8 +2,8 @@ r"""The factors of a formula by how they begin: numbers, words, signs and comman
 
 >>> from rigidtop.read.tex import pieces
 >>> from rigidtop.read.tokens import tokens
->>> from rigidtop.tree.nodes import Rate
->>> Grammar(tokens(pieces(r"\dot x")), FACTORS).whole() == Rate(Letter("x"), dotted=True)
+>>> from rigidtop.tree.nodes import TimeDerivative
+>>> Grammar(tokens(pieces(r"\dot x")), FACTORS).whole() == TimeDerivative(Letter("x"), dotted=True)
 True
 """
 

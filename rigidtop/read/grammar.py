@@ -17,8 +17,8 @@ from rigidtop.read.tokens import Token, written
 from rigidtop.read.units import units
 from rigidtop.read.vocabulary import CONSTANT, FUNCTIONS, MATRICES
 from rigidtop.tree.nodes import (
-    Cross,
-    Dot,
+    CrossProduct,
+    DotProduct,
     Letter,
     Negative,
     Node,
@@ -184,7 +184,7 @@ class Grammar:
         while self.is_sign("·") and not (self.integrals and self.is_differential(1)):
             self.take()
             count = self.counted(count)
-            node = Dot(node, self.crossed())
+            node = DotProduct(node, self.crossed())
         return node
 
     def crossed(self) -> Node:
@@ -192,7 +192,7 @@ class Grammar:
         while self.is_sign("×"):
             self.take()
             count = self.counted(count)
-            node = Cross(node, self.product())
+            node = CrossProduct(node, self.product())
         return node
 
     def counted(self, count: int) -> int:

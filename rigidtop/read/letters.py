@@ -11,13 +11,13 @@ from rigidtop.read.grammar import Grammar
 from rigidtop.read.tokens import written
 from rigidtop.tree.nodes import (
     Average,
-    Group,
+    Bracketed,
     Letter,
     Node,
     Primed,
     Product,
-    Rate,
     Remainder,
+    TimeDerivative,
     mapped,
     ungrouped,
 )
@@ -56,9 +56,9 @@ def _name(node: Node) -> Node:
 def dotted(grammar: Grammar) -> Node:
     order = DOTS[grammar.take().text]
     of = grammar.node_of(grammar.argument())
-    if isinstance(of, Rate) and of.dotted:
+    if isinstance(of, TimeDerivative) and of.dotted:
         return replace(of, order=of.order + order)
-    return Rate(ungrouped(of), order, dotted=True)
+    return TimeDerivative(ungrouped(of), order, dotted=True)
 
 
 def bold(grammar: Grammar) -> Node:
@@ -68,8 +68,8 @@ def bold(grammar: Grammar) -> Node:
     if written(argument) == "∇":
         return sloped(grammar)
     of = _name(grammar.node_of(argument))
-    if command == r"\underline" and not isinstance(of, Letter | Rate | Primed):
-        return Group(of)
+    if command == r"\underline" and not isinstance(of, Letter | TimeDerivative | Primed):
+        return Bracketed(of)
     return mapped(of, lambda x: replace(x, bold=True) if isinstance(x, Letter) else x)
 
 
@@ -78,7 +78,7 @@ def marked(grammar: Grammar) -> Node:
     of = _name(grammar.node_of(grammar.argument()))
     if isinstance(of, Letter):
         return replace(of, mark=mark)
-    if isinstance(of, (Rate, Primed)) and isinstance(of.of, Letter):
+    if isinstance(of, (TimeDerivative, Primed)) and isinstance(of.of, Letter):
         return replace(of, of=replace(of.of, mark=mark))
     return Average(of) if mark == "bar" else of
 

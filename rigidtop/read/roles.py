@@ -42,12 +42,12 @@ def roles(
         match node:
             case Letter():
                 letters.add(node)
-            case n.Rate(Letter() as of):
+            case n.TimeDerivative(Letter() as of):
                 moving.add(of)
             case n.Call(Letter() as function, at):
                 places[function] |= {plain(x) for x in at if isinstance(x, Letter)}
             case n.Derivative(Letter() as of, by):
-                by_rates[of] |= {plain(x) for x in by if isinstance(x, n.Rate)}
+                by_rates[of] |= {plain(x) for x in by if isinstance(x, n.TimeDerivative)}
 
     def role(letter: Letter) -> str:
         if by_rates[letter]:

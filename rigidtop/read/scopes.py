@@ -101,7 +101,7 @@ class _Scope:
 def scopes(
     source: str, covered: Sequence[tuple[int, int]] = (), tex: bool = False
 ) -> list[Boundary]:
-    """The boundaries in a text in order, those within what is `covered` (formulas, code) left out."""
+    """The boundaries of a text in order, those in what is `covered` (formulas, code) left out."""
     return [*_Outline(source, tex).marks(covered)]
 
 

@@ -20,8 +20,8 @@ from rigidtop.tree.nodes import (
     Power,
     Primed,
     Product,
-    Rate,
-    Transposed,
+    TimeDerivative,
+    TransposedMatrix,
     Tuple,
     Unit,
     letters,
@@ -68,7 +68,7 @@ def subscripted(grammar: Grammar, node: Node, group: Sequence[Token]) -> Node:
 def _superscripted(grammar: Grammar, node: Node, group: Sequence[Token]) -> Node:
     text = written(group)
     if text in ("T", "⊤"):
-        return Transposed(node)
+        return TransposedMatrix(node)
     if text in ("∘", "°"):
         return Product((node, Unit("°")))
     if group and group[0].kind == "prime":
@@ -108,14 +108,14 @@ def _is_called(grammar: Grammar, node: Node) -> bool:
     """Whether the bracket that follows holds the places of a function."""
     token = grammar.peek()
     end = grammar.partners.get(grammar.at)
-    core = node.of if isinstance(node, (Rate, Primed)) else node
+    core = node.of if isinstance(node, (TimeDerivative, Primed)) else node
     if token.text != "(" or token.spaced or end is None or not isinstance(core, Letter):
         return False
     inside = grammar.items[grammar.at + 1 : end]
     time = len(inside) > 2 and inside[0].text == "t" and inside[1].text == "="
     if time and not any(each.kind == "relation" for each in inside[2:]):
         return True
-    if grammar.related.get(grammar.at) or (isinstance(node, Rate) and not node.dotted):
+    if grammar.related.get(grammar.at) or (isinstance(node, TimeDerivative) and not node.dotted):
         return False
     if core in grammar.reading.functions:
         return True
@@ -143,7 +143,7 @@ def _holds_places(grammar: Grammar, node: Node, inside: Sequence[Token]) -> bool
         return all(map(is_place, place.entries)) and bool(letters(place))
     if place == Number("0") or (isinstance(place, Letter) and place.base == "t"):
         return True
-    if isinstance(node, Rate) and isinstance(place, Letter):
+    if isinstance(node, TimeDerivative) and isinstance(place, Letter):
         return True  # nobody writes φ̇(θ) for a product
     guessed = grammar.reading.calls and not grammar.reading.functions
     return guessed and is_place(place) and not isinstance(place, Number)

@@ -29,8 +29,8 @@ from rigidtop.tree.nodes import (
     Primed,
     Product,
     Quotient,
-    Rate,
-    Transposed,
+    TimeDerivative,
+    TransposedMatrix,
     Unit,
     parts,
     rebuilt,
@@ -161,7 +161,7 @@ def _argument(token: Token) -> tuple[Token, ...]:
 
 def derivative_of(sign: str, of: Node, by: Sequence[Node]) -> Node:
     if sign == "d" and all(each == TIME for each in by):
-        return Rate(ungrouped(of), len(by))
+        return TimeDerivative(ungrouped(of), len(by))
     return Derivative(ungrouped(of), tuple(map(ungrouped, by)), partial=sign == "∂")
 
 
@@ -169,11 +169,11 @@ def framed(node: Node, frame: str) -> Node | None:
     """A rate as a frame sees it, and at a fixed value what else is differentiated."""
     if not frame or any(sign in frame for sign in "=≈→<>"):
         return None
-    if isinstance(node, Rate):
+    if isinstance(node, TimeDerivative):
         return replace(node, frame=frame)
     if isinstance(node, Derivative):
         timely = all(each == TIME for each in node.by)
-        return Rate(node.of, len(node.by), frame=frame) if timely else At(node, sub=frame)
+        return TimeDerivative(node.of, len(node.by), frame=frame) if timely else At(node, sub=frame)
     return None
 
 
@@ -207,8 +207,8 @@ def with_index(node: Node, text: str) -> Node | None:
         return replace(node, sub=f"{node.sub},{text}" if node.sub else text)
     if isinstance(node, Unit):
         return Letter(node.name, text)
-    dressed = isinstance(node, (Power, Primed, Transposed))
-    if not dressed and not (isinstance(node, Rate) and node.dotted):
+    dressed = isinstance(node, (Power, Primed, TransposedMatrix))
+    if not dressed and not (isinstance(node, TimeDerivative) and node.dotted):
         return None
     indexed = with_index(parts(node)[0], text)
     return indexed and rebuilt(node, (indexed, *parts(node)[1:]))
@@ -216,7 +216,7 @@ def with_index(node: Node, text: str) -> Node | None:
 
 def primed(node: Node) -> Node:
     """A prime more; with a unit vector it belongs to the name, below a dot to the letter."""
-    if isinstance(node, Rate) and node.dotted:
+    if isinstance(node, TimeDerivative) and node.dotted:
         return replace(node, of=primed(node.of))
     if isinstance(node, Letter) and (node.mark == "hat" or (node.bold and node.base == "e")):
         return replace(node, mark=node.mark + "′")
@@ -226,6 +226,6 @@ def primed(node: Node) -> Node:
 
 
 def is_place(node: Node) -> bool:
-    dressed = isinstance(node, Primed) or (isinstance(node, Rate) and node.dotted)
+    dressed = isinstance(node, Primed) or (isinstance(node, TimeDerivative) and node.dotted)
     core = parts(node)[0] if dressed else node
     return isinstance(core, (Letter, Omitted)) or node == Number("0")

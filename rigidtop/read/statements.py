@@ -24,7 +24,7 @@ from rigidtop.read.tex import UnreadError, listed, pieces
 from rigidtop.read.tokens import Token, tokens
 from rigidtop.read.vocabulary import CASES, CONSTANT, DERIVATIVES
 from rigidtop.tree.nodes import (
-    Group,
+    Bracketed,
     Letter,
     Negative,
     Node,
@@ -424,7 +424,7 @@ def is_conditional(words: str) -> bool:
 def _number(draft: _Draft) -> str:
     """The number of a statement in brackets behind it: "(3.48)"."""
     side = draft.sides[0]
-    if draft.relations or not isinstance(side, Group) or not isinstance(side.of, Number):
+    if draft.relations or not isinstance(side, Bracketed) or not isinstance(side.of, Number):
         return ""
     return side.of.text
 

@@ -15,12 +15,12 @@ _BINDING: Final[dict[type[Node], int]] = {
     n.PlusMinus: SUM,
     n.Total: TERM,
     n.Limit: TERM,
-    n.Dot: DOT,
-    n.Cross: CROSS,
+    n.DotProduct: DOT,
+    n.CrossProduct: CROSS,
     n.Product: PRODUCT,
     n.Quotient: PRODUCT,
-    **dict.fromkeys((n.Integral, n.Nabla, n.Apply, n.Rate, n.Derivative), FACTOR),
-    **dict.fromkeys((n.Differential, n.Power, n.Transposed, n.Component, n.At), FACTOR),
+    **dict.fromkeys((n.Integral, n.Nabla, n.Apply, n.TimeDerivative, n.Derivative), FACTOR),
+    **dict.fromkeys((n.Differential, n.Power, n.TransposedMatrix, n.Component, n.At), FACTOR),
 }
 
 
@@ -31,4 +31,4 @@ def binding(node: Node) -> int:
 
 def is_dotted(node: Node) -> bool:
     """Whether a rate is written with dots above a letter or brackets."""
-    return isinstance(node, n.Rate) and node.dotted and node.order <= 4 and not node.frame
+    return isinstance(node, n.TimeDerivative) and node.dotted and node.order <= 4 and not node.frame

@@ -1,8 +1,8 @@
 r"""Formulas as LaTeX that reads back as the same nodes, with brackets where they are needed.
 
->>> from rigidtop.tree.nodes import Letter, Number, Power, Product, Rate, Sum
+>>> from rigidtop.tree.nodes import Letter, Number, Power, Product, Sum, TimeDerivative
 >>> x = Letter("x", "1")
->>> latex(Product((Number("2"), Sum((Power(Rate(x, dotted=True), Number("2")), x)))))
+>>> latex(Product((Number("2"), Sum((Power(TimeDerivative(x, dotted=True), Number("2")), x)))))
 '2 \\left(\\dot{x}_{1}^{2} + x_{1}\\right)'
 """
 
@@ -158,9 +158,9 @@ def _argument(part: n.Apply) -> str:
     return latex(of) if close else _bracketed(latex(of))
 
 
-def _rate(part: n.Rate) -> str:
+def _rate(part: n.TimeDerivative) -> str:
     if part.frame:
-        whole = latex(n.Rate(part.of, part.order, part.dotted))
+        whole = latex(n.TimeDerivative(part.of, part.order, part.dotted))
         return _bracketed(whole) + rf"_{{\text{{{part.frame}}}}}"
     if is_dotted(part):
         dots = _DOTS[part.order]
@@ -247,19 +247,19 @@ _WRITERS: Final[dict[type[Node], Callable[..., str]]] = {
     ),
     n.Apply: lambda x: f"{_function(x)} {_argument(x)}",
     n.Call: _places,
-    n.Group: lambda x: _bracketed(latex(x.of), x.bracket),
+    n.Bracketed: lambda x: _bracketed(latex(x.of), x.bracket),
     n.Absolute: lambda x: rf"\left|{latex(x.of)}\right|",
     n.Average: lambda x: rf"\left\langle {latex(x.of)}\right\rangle",
-    n.Rate: _rate,
+    n.TimeDerivative: _rate,
     n.Primed: _primed,
     n.Derivative: lambda x: _fraction(r"\partial" if x.partial else "d", x.of, x.by),
     n.Differential: _differential,
     n.Nabla: lambda x: rf"\nabla{_PRODUCTS[x.product]} {_within(x.of, ATOM)}",
-    n.Dot: lambda x: rf"{_within(x.left, DOT)} \cdot {_within(x.right, CROSS)}",
-    n.Cross: lambda x: rf"{_within(x.left, CROSS)} \times {_within(x.right, PRODUCT)}",
+    n.DotProduct: lambda x: rf"{_within(x.left, DOT)} \cdot {_within(x.right, CROSS)}",
+    n.CrossProduct: lambda x: rf"{_within(x.left, CROSS)} \times {_within(x.right, PRODUCT)}",
     n.Tuple: lambda x: _bracketed(", ".join(map(latex, x.entries)), x.bracket),
     n.Matrix: _matrix,
-    n.Transposed: lambda x: f"{_base(x.of)}^{{T}}",
+    n.TransposedMatrix: lambda x: f"{_base(x.of)}^{{T}}",
     n.Component: lambda x: f"{_within(x.of, ATOM)}{_lowered(x.index)}",
     n.Integral: _integral,
     n.Total: _total,

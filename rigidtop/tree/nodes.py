@@ -25,8 +25,8 @@ class Letter(Node):
     """A letter with what belongs to its name: x, θ, m_1, **e**_3′, λ̄, V_eff.
 
     `base` is a character or a word, Greek as itself; `sub` what stands below, as text; `mark` is
-    "hat", "bar", "tilde", "star" or primes that belong to the name.  A dot is a `Rate`, and an
-    arrow above makes it bold.
+    "hat", "bar", "tilde", "star" or primes that belong to the name.  A dot is a
+    `TimeDerivative`, and an arrow above makes it bold.
     """
 
     base: str
@@ -128,7 +128,7 @@ class Call(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Group(Node):
+class Bracketed(Node):
     """What stands in brackets: "(", "[" or "{"."""
 
     of: Node
@@ -150,7 +150,7 @@ class Average(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Rate(Node):
+class TimeDerivative(Node):
     """A derivative in time: a dot, or d/dt; `frame` is the word below a bracket, such as "body"."""
 
     of: Node
@@ -194,7 +194,7 @@ class Nabla(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Dot(Node):
+class DotProduct(Node):
     """Two factors with a point between them: numbers, or vectors."""
 
     left: Node
@@ -202,7 +202,7 @@ class Dot(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Cross(Node):
+class CrossProduct(Node):
     """Two factors with × between them: numbers, or vectors."""
 
     left: Node
@@ -226,7 +226,7 @@ class Matrix(Node):
 
 
 @dataclass(frozen=True, slots=True)
-class Transposed(Node):
+class TransposedMatrix(Node):
     of: Node
 
 
@@ -351,7 +351,7 @@ def letters(node: Node) -> frozenset[Letter]:
 
 def ungrouped(node: Node) -> Node:
     """What stands in brackets, without them."""
-    while isinstance(node, Group):
+    while isinstance(node, Bracketed):
         node = node.of
     return node
 

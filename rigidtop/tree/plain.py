@@ -1,8 +1,8 @@
 """Formulas as plain text: ½ m ẋ² − m g y, ∂L/∂θ̇, √(a + b).
 
->>> from rigidtop.tree.nodes import Letter, Number, Power, Quotient, Rate, Sum
+>>> from rigidtop.tree.nodes import Letter, Number, Power, Quotient, Sum, TimeDerivative
 >>> x = Letter("x")
->>> plain(Sum((Power(Rate(x, dotted=True), Number("2")), Quotient(Number("1"), x))))
+>>> plain(Sum((Power(TimeDerivative(x, dotted=True), Number("2")), Quotient(Number("1"), x))))
 'ẋ² + 1/x'
 """
 
@@ -118,13 +118,13 @@ def _apply(part: n.Apply) -> str:
     return f"{part.name} {plain(part.of)}" if close else f"{part.name}({plain(part.of)})"
 
 
-def _rate(part: n.Rate) -> str:
+def _rate(part: n.TimeDerivative) -> str:
     if is_dotted(part):
         if isinstance(part.of, n.Letter):
             base = part.of.base + _ABOVE.get(part.of.mark, "") + _DOTS[part.order]
             return unicodedata.normalize("NFC", base) + _lowered(part.of.sub)
         if isinstance(part.of, n.Primed):
-            return _rate(n.Rate(part.of.of, part.order, True)) + "′" * part.of.order
+            return _rate(n.TimeDerivative(part.of.of, part.order, True)) + "′" * part.of.order
         return f"({plain(part.of)}){_DOTS[part.order]}"
     order = "" if part.order == 1 else _raised(part.order)
     text = f"d{order}{within(part.of, ATOM)}/dt{order}"
@@ -193,21 +193,21 @@ _WRITERS: Final[dict[type[Node], Callable[..., str]]] = {
     n.Root: lambda x: ("" if x.degree == 2 else _raised(x.degree)) + f"√({plain(x.of)})",
     n.Apply: _apply,
     n.Call: lambda x: f"{within(x.function, FACTOR)}({', '.join(map(plain, x.places))})",
-    n.Group: lambda x: x.bracket + plain(x.of) + _CLOSES[x.bracket],
+    n.Bracketed: lambda x: x.bracket + plain(x.of) + _CLOSES[x.bracket],
     n.Absolute: lambda x: f"|{plain(x.of)}|",
     n.Average: lambda x: f"⟨{plain(x.of)}⟩",
-    n.Rate: _rate,
+    n.TimeDerivative: _rate,
     n.Primed: lambda x: within(x.of, ATOM) + "′" * x.order,
     n.Derivative: _derivative,
     n.Differential: lambda x: (
         ("∂" if x.partial else "d") + (_raised(x.order) if x.order > 1 else "") + within(x.of, ATOM)
     ),
     n.Nabla: lambda x: "∇" + x.product + (" " if x.product else "") + within(x.of, FACTOR),
-    n.Dot: lambda x: f"{within(x.left, DOT)} · {within(x.right, CROSS)}",
-    n.Cross: lambda x: f"{within(x.left, CROSS)} × {within(x.right, PRODUCT)}",
+    n.DotProduct: lambda x: f"{within(x.left, DOT)} · {within(x.right, CROSS)}",
+    n.CrossProduct: lambda x: f"{within(x.left, CROSS)} × {within(x.right, PRODUCT)}",
     n.Tuple: lambda x: f"{x.bracket}{', '.join(map(plain, x.entries))}{_CLOSES[x.bracket]}",
     n.Matrix: _matrix,
-    n.Transposed: lambda x: within(x.of, ATOM) + "ᵀ",
+    n.TransposedMatrix: lambda x: within(x.of, ATOM) + "ᵀ",
     n.Component: lambda x: within(x.of, ATOM) + _lowered(x.index),
     n.Integral: _integral,
     n.Total: _total,

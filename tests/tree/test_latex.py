@@ -15,12 +15,12 @@ from rigidtop.tree.nodes import (
     Apply,
     At,
     Average,
+    Bracketed,
     Call,
     Component,
-    Cross,
+    CrossProduct,
     Derivative,
-    Dot,
-    Group,
+    DotProduct,
     Integral,
     Letter,
     Limit,
@@ -34,11 +34,11 @@ from rigidtop.tree.nodes import (
     Primed,
     Product,
     Quotient,
-    Rate,
     Root,
     Sum,
+    TimeDerivative,
     Total,
-    Transposed,
+    TransposedMatrix,
     Tuple,
     mapped,
 )
@@ -65,19 +65,19 @@ def several(nodes: st.SearchStrategy[Node], least: int = 2) -> st.SearchStrategy
 def larger(nodes: st.SearchStrategy[Node]) -> st.SearchStrategy[Node]:
     order = st.integers(1, 3)
     one: list[Callable[..., Node]] = [
-        *(Negative, Absolute, Average, Root, Transposed, Nabla),
+        *(Negative, Absolute, Average, Root, TransposedMatrix, Nabla),
         *(lambda of, make=make: make(of) for make in (PlusMinus,)),
     ]
     apply = st.builds(Apply, st.sampled_from(["sin", "exp", "tr", "arctan"]), nodes)
     return st.one_of(
         *(st.builds(make, nodes) for make in one),
-        *(st.builds(make, nodes, nodes) for make in (Dot, Cross, Power)),
+        *(st.builds(make, nodes, nodes) for make in (DotProduct, CrossProduct, Power)),
         apply,
         st.builds(Sum, several(nodes)),
         st.builds(Product, several(nodes)),
         st.builds(Tuple, several(nodes)),
         st.builds(Quotient, nodes, nodes, st.booleans()),
-        st.builds(Rate, nodes, order, st.booleans(), st.sampled_from(["", "body"])),
+        st.builds(TimeDerivative, nodes, order, st.booleans(), st.sampled_from(["", "body"])),
         st.builds(Primed, SCALARS, order),
         st.builds(Derivative, nodes, several(SCALARS, 1), st.booleans()),
         st.builds(Integral, nodes, SCALARS, nodes, nodes),
@@ -85,7 +85,7 @@ def larger(nodes: st.SearchStrategy[Node]) -> st.SearchStrategy[Node]:
         st.builds(Limit, nodes, SCALARS, NUMBERS),
         st.builds(At, nodes, SCALARS, NUMBERS),
         st.builds(Call, st.just(F), several(nodes, 1)),
-        st.builds(Component, st.builds(Cross, nodes, nodes), st.sampled_from(["1", "z"])),
+        st.builds(Component, st.builds(CrossProduct, nodes, nodes), st.sampled_from(["1", "z"])),
         st.builds(lambda a, b: Matrix(((a, b), (b, a))), nodes, nodes),
     )
 
@@ -95,7 +95,7 @@ NODES = st.recursive(st.one_of(LETTERS, NUMBERS, SCALARS, st.just(T)), larger, m
 
 def bare(node: Node) -> Node:
     """A node without brackets; products and terms in them are one."""
-    return mapped(node, lambda each: each.of if isinstance(each, Group) else each)
+    return mapped(node, lambda each: each.of if isinstance(each, Bracketed) else each)
 
 
 @settings(max_examples=60, deadline=None)
