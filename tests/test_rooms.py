@@ -111,6 +111,32 @@ def test_arrow_of_imports(room):
         assert complaints(room, file.read_text("utf-8"), package_of(room)) == [], file.name
 
 
+def classes(text):
+    """The names of all classes of a module, those in functions and in classes, too."""
+    return [node.name for node in ast.walk(ast.parse(text)) if isinstance(node, ast.ClassDef)]
+
+
+def shared(texts):
+    """The names that more than one class has, with the files in which they stand."""
+    homes = {}
+    for file, text in texts.items():
+        for name in classes(text):
+            homes.setdefault(name, []).append(file)
+    return {name: places for name, places in homes.items() if len(places) > 1}
+
+
+def test_no_class_name_stands_twice():
+    paths = {path for room in ORDER for path in files(room)}
+    names = {str(path.relative_to(PACKAGE.parent)): path for path in sorted(paths)}
+    assert shared({name: path.read_text("utf-8") for name, path in names.items()}) == {}
+
+
+def test_a_class_name_that_stands_twice_is_seen():
+    texts = {"a.py": "class Line:\n    class Row: ...", "b.py": "def f():\n    class Line: ..."}
+    assert shared(texts) == {"Line": ["a.py", "b.py"]}
+    assert shared({"a.py": "class Row: ...\nclass Row: ..."}) == {"Row": ["a.py", "a.py"]}
+
+
 def test_every_room_is_known_and_has_modules():
     rooms = {p.stem for p in PACKAGE.iterdir() if p.suffix == ".py" or (p / "__init__.py").exists()}
     assert rooms | {"derivations"} == set(ORDER)
