@@ -216,7 +216,7 @@ class Context:
         return node in self.definitions or any(each.left == node for each in stated)
 
     def holding(self, constraint: Constraint) -> Context:
-        """With something more that holds."""
+        """This context with one more constraint."""
         return replace(self, constraints=(*self.constraints, constraint))
 
     def without_equations(self) -> Context:

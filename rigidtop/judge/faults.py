@@ -314,7 +314,7 @@ def contradiction(question: Question, most: float = LIKELY) -> Outcome | None:
 
 
 def _changes(question: Question, value: Expr) -> bool:
-    """Whether it changes in time."""
+    """Whether a value changes in time."""
     return question.moves(value) or value.has(TIME)
 
 

@@ -164,7 +164,7 @@ class Ground:
 
     @cached_property
     def names(self) -> frozenset[Letter]:
-        """All letters that are written."""
+        """All letters of the line and of its premises."""
         return frozenset(x for side in self.sides for x in n.letters(side))
 
     @cached_property

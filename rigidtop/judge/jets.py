@@ -40,7 +40,7 @@ TIME = Symbol("t" + _BETWEEN, real=True)
 
 @lru_cache(maxsize=20_000)
 def symbol(jet: Jet) -> Symbol:
-    """The symbol of a number."""
+    """The SymPy symbol that stands for a jet, the same for equal jets."""
     letter = jet.letter
     bold = "b" if letter.bold else ""
     place = ",".join(map(str, jet.place))

@@ -42,7 +42,7 @@ class Meaning(Calculus):
     """What finds the value of any formula in one context."""
 
     def value(self, node: Node) -> Value:
-        """Raises UnclearError."""
+        """The value of a formula.  Raises UnclearError where it has none here."""
         if self.known is not None and id(node) in self.known:
             return self.known[id(node)]
         handler = _HANDLERS.get(type(node))

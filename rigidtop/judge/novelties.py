@@ -101,7 +101,7 @@ def _names(question: Question, new: Sequence[Letter]) -> bool:
 
 
 def brings(question: Question, new: Sequence[Letter]) -> Outcome:
-    """That a statement brings letters."""
+    """The outcome of a statement that is a premise since it brings letters."""
     words = ", ".join(map(in_words, new))
     names = frozenset(map(in_words, new))
     # What has been said names nothing, nor does a ratio: what follows in the chain rests on it.

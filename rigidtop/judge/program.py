@@ -153,7 +153,7 @@ class Program:
             self._known[letter] = numbers[0], numbers[1]
 
     def values(self, expressions: Sequence[Expr]) -> Values:
-        """Raises UnknownFunctionError."""
+        """The values of expressions at all points.  Raises UnknownFunctionError."""
         with np.errstate(all="ignore"):
             rows = [self._of(sympy.sympify(each)) for each in expressions]
         shape = (len(rows), self.points.shape[1])

@@ -177,7 +177,7 @@ def _of_another(question: Question, letter: Letter) -> Iterator[Quantity]:
 
 
 def _momenta(question: Question) -> Iterator[Quantity]:
-    """The momenta of a Lagrangian."""
+    """The momentum of each coordinate of a Lagrangian that the text defines."""
     function = next((x for x in LAGRANGIANS if x in question.context.definitions), None)
     if function is None:
         return
@@ -321,7 +321,7 @@ _TURNS = TURNING | {"n"}
 
 
 def _rates(question: Question) -> Iterator[Quantity]:
-    """How fast an angle changes."""
+    """The rates of the angles that move."""
     for x in sorted(question.moving, key=str):
         if x.base in ANGLES and not x.bold:
             yield Quantity(f"the rate of {in_words(x)}", n.TimeDerivative(x, 1, True))

@@ -233,7 +233,7 @@ class Question:
 
     @property
     def pool(self) -> list[Residual]:
-        """All that holds here."""
+        """All laws and constraints that hold here, as expressions that vanish."""
         return self.premises.residuals
 
     @cached_property

@@ -142,7 +142,7 @@ def rows_of(made: Iterable[TextStep]) -> tuple[Row, ...]:
 
 
 def reading(source: str, macros: Macros | None = None, until: float = inf) -> Reading:
-    """What a text asks."""
+    """All that a text asks, in the order in which it is judged."""
     read, place = read_text(source, macros, until)
     cases = cases_of(read)
     stated = [each for _, each in read if isinstance(each, Statement)]

@@ -229,7 +229,7 @@ class _Field:
         return pow(value if exponent > 0 else _inverse(value), abs(exponent.p), PRIME)
 
     def _angle(self, angle: Expr) -> tuple[int, int]:
-        """Cosine and sine."""
+        """The cosine and the sine of an angle, modulo the prime."""
         total = 1, 0
         for part, factor in _linear(angle):
             if part not in self._circle:

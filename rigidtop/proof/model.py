@@ -112,7 +112,7 @@ class Sample:
 
     @property
     def meaning(self) -> Meaning:
-        """The value of every symbol."""
+        """The number that every symbol stands for at this point."""
         numbers = {x: number(v) for x, v in self.point.items()}
         return {k: number(sympy.sympify(v).xreplace(numbers)) for k, v in self.facts.items()}
 

@@ -240,7 +240,7 @@ def _pure(tree: Expr, needed: str, letters: Letters) -> None:
 
 
 def _common(sides: Iterable[Expr], letters: Letters) -> Dimension | None:
-    """What all terms are in."""
+    """The dimension of all terms, None where none is known.  Raises UnitsError where two differ."""
     known: tuple[Expr, Dimension] | None = None
     for term in (term for side in sides for term in _terms(side)):
         found = dimension(term, letters)

@@ -62,7 +62,7 @@ class TestedAssumption:
 
 @dataclass(frozen=True)
 class Finding:
-    """What became of one check."""
+    """A check with its verdict, and what it assumes or where it fails."""
 
     check: Check
     verdict: Verdict
@@ -109,11 +109,11 @@ class Judgement:
         return tuple(f for f in self._all() if not isinstance(f.check, (Correction, Remark)))
 
     def corrections(self) -> tuple[Finding, ...]:
-        """The corrected forms, judged."""
+        """What became of the corrected forms of the claim."""
         return tuple(f for f in self._all() if isinstance(f.check, Correction))
 
     def remarks(self) -> tuple[Finding, ...]:
-        """What is true besides, judged."""
+        """What became of the remarks, which are true besides."""
         return tuple(f for f in self._all() if isinstance(f.check, Remark))
 
     def besides(self) -> tuple[TestedAssumption, ...]:

@@ -235,7 +235,7 @@ class Grammar:
         return ungrouped(product_of(factors))
 
     def starts(self) -> bool:
-        """Whether a factor begins here."""
+        """Whether the next token begins a factor."""
         token = self.peek()
         if self.integrals and self.is_differential():
             return False
@@ -261,7 +261,7 @@ class Grammar:
             self.depth -= 1
 
     def primary(self, before: Sequence[Node]) -> Node:
-        """A factor without its scripts."""
+        """The factor that begins here, without its scripts and primes."""
         return self.rules.primary(self, before)
 
     # What stands ahead

@@ -45,7 +45,7 @@ def found(called: str, latex: str, library: Iterable[Law]) -> Law | None:
 
 
 def _words(called: str) -> str:
-    """A name without its letters."""
+    """What something is called, in lower case with a $ for each formula."""
     return " ".join(re.sub(r"\$[^$]+\$", "$", called).lower().removeprefix("the ").split())
 
 

@@ -201,7 +201,7 @@ class _Reader:
         self.blocks.append(Prose(words, at, pieces(words, self.notation)))
 
     def picture(self, text: str, at: int) -> None:
-        """What is drawn stands here."""
+        """Adds a picture, or a fault where it is no paragraph of its own."""
         shown = _PICTURE.fullmatch(text.strip())
         if shown is None:
             self.fault(at, "a picture is a paragraph of its own: ![its words](#its-name)")
@@ -210,7 +210,7 @@ class _Reader:
         self.blocks.append(Illustration(shown[2], words, at, pieces(words, self.notation)))
 
     def box(self, text: str, at: int) -> None:
-        """A box begins or ends."""
+        """Opens a box, or closes the one that is open."""
         begins = _BOX.fullmatch(text)
         if begins is not None and self.outside is None:
             self.outside = [*self.page], self.near
@@ -357,7 +357,7 @@ class Displays:
 
     @cached_property
     def _read(self) -> dict[str, tuple[Equation, ...]]:
-        """Of what was read already."""
+        """The equations that have been read already, by number or name."""
         return {}
 
     @cached_property

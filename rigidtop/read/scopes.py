@@ -245,7 +245,7 @@ class _Outline:
         self.open.append(_Scope(level, self.count, environment))
 
     def begins(self, at: int) -> bool:
-        """Whether a paragraph begins there."""
+        """Whether a paragraph begins in the line of a place."""
         line = self.source.rfind("\n", 0, at)
         above = self.source[
             max(0, line - LONGEST_TITLE, self.source.rfind("\n", 0, line) + 1) : line

@@ -264,7 +264,7 @@ class _StatementReader(Grammar):
             self.statement()
 
     def bound(self, token: Token) -> None:
-        """What stands between statements."""
+        """Takes a token that stands between statements, such as a tag or words."""
         if token.kind == "words":
             self.said(token)
         elif token.kind == "tag":

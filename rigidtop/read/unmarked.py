@@ -151,7 +151,7 @@ class _Runs:
             self.spans.append(match.span())
 
     def take(self, start: int, end: int) -> None:
-        """A formula between dollars."""
+        """Notes a formula that stands between dollars."""
         self.formulas.append(start)
         self.spans.append((start, end))
 

@@ -212,7 +212,7 @@ class Walk:
         return start
 
     def take(self, match: re.Match[str]) -> int:
-        """Go behind what was found."""
+        """Handles a match, and gives the place at which the walk goes on."""
         kind = match.lastgroup
         if kind == "blank":
             self.end_paragraph()
@@ -393,7 +393,7 @@ class Walk:
 
     @cached_property
     def ends(self) -> list[int]:
-        """Where paragraphs end."""
+        """The places at which paragraphs end, in order."""
         return [match.start() for match in _PARAGRAPH.finditer(self.source)]
 
     def environment(self, match: re.Match[str]) -> int:

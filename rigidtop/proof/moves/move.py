@@ -57,7 +57,7 @@ class Order:
 
     @property
     def letters(self) -> tuple[Symbol, ...]:
-        """What is small."""
+        """The letters that are small."""
         return self.together or (self.small,)
 
     def counted(self, expression: Expr) -> Expr:
@@ -198,7 +198,7 @@ class Performed:
 
 
 def name_of(known: Known) -> str:
-    """What a message calls it."""
+    """What a message calls an equation: its name, its number in brackets, or its id."""
     return known.called or (f"({known.tag})" if known.tag else known.id)
 
 
