@@ -52,7 +52,7 @@ FUNCTIONS = 2.0
 FEWEST = 2
 """In fewer worlds a change may make a statement right by chance."""
 
-SLIP_SECONDS = 1.5
+SLIP_SECONDS = 5.0
 """How long the change that makes a statement right is looked for (s, of the processor's time)."""
 
 Comparison = Callable[[Sequence[Pair], Worlds], bool]

@@ -105,7 +105,7 @@ def brings(question: Question, new: Sequence[Letter]) -> Outcome:
     words = ", ".join(map(in_words, new))
     names = frozenset(map(in_words, new))
     # What has been said names nothing, nor does a ratio: what follows in the chain rests on it.
-    told = isinstance(question.left, Letter) and question.left in question.context.definitions
+    told = bool(own_letters(question.left) - {*new})
     ties = told or (len(new) > 1 and isinstance(question.left, n.Quotient))
     outcome = Outcome(PREMISE, f"it brings {words}", question.rests_on_meaning, brings=names)
     return replace(outcome, restricts=ties)

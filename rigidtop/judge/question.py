@@ -38,7 +38,7 @@ MOST_GIVEN_UP = 4
 MOST_FOLLOWED = 8
 """So many equations that followed are remembered."""
 
-ALL_SLIPS_SECONDS = 12.0
+ALL_SLIPS_SECONDS = 30.0
 """How long slips are looked for in a whole text (s, of the processor's time)."""
 
 

@@ -88,7 +88,7 @@ def _changed(
     yield from _everywhere(side, lambda node: _single(node, names, known, moving))
     yield from _times(side, names, known, moving, whole)
     angles = {n.ungrouped(x.of) for x in n.walked(side) if isinstance(x, n.Apply)}
-    for angle in sorted(angles, key=repr):
+    for angle in sorted(angles, key=plain):
         swapped = _swapped(side, angle)
         if swapped != side:
             yield swapped, f"sine and cosine of {plain(angle)} exchanged", 3.5
@@ -228,7 +228,7 @@ def _single(
 def _in_sums(node: Node, sums: frozenset[n.Sum]) -> Iterator[tuple[Node, str, float]]:
     """For a letter the sums in which it stands: R − a for R."""
     if isinstance(node, Letter):
-        for each in sorted(sums, key=repr):
+        for each in sorted(sums, key=plain):
             if node in map(_bare, each.terms):
                 yield n.Bracketed(each), f"{plain(each)} in place of {plain(node)}", 2.6
 
