@@ -57,7 +57,11 @@ def _place(each: Placed, sentence: Sequence[Placed], known: Collection[Letter]) 
     places = [
         k
         for k, other in enumerate(sentence)
-        if name in _letters(other) and _says(other) and not _is_motion(other)
+        if name in _letters(other)
+        and _says(other)
+        and not _is_motion(other)
+        # Solved for the letter, it says the same again.
+        and _letters(each) != _letters(other)
     ]
     # What several statements speak of may come out of them.
     if name is None or name in known or len(places) != 1 or _named(sentence[places[0]]) == name:

@@ -35,6 +35,26 @@ def each_component(statement: Statement, known: Collection[Letter]) -> tuple[Sta
     return tuple(_with(statement, index, each) for each in _EACH)
 
 
+def each_entry(statement: Statement, known: Collection[Letter]) -> tuple[Statement, ...]:
+    """What a statement says of new letters that stand below each other; else itself alone."""
+    columns = [*map(_entries, statement.sides)]
+    names = columns[0]
+    new = all(isinstance(x, Letter) and x not in known for x in names) and len({*names}) > 1
+    if not new or {len(column) for column in columns} != {len(names)}:
+        return (statement,)
+    return tuple(replace(statement, sides=sides) for sides in zip(*columns, strict=True))
+
+
+def _entries(node: Node) -> tuple[Node, ...]:
+    """The entries of a column, or of a tuple; none of what is neither."""
+    match n.ungrouped(node):
+        case n.Tuple(entries):
+            return entries
+        case n.Matrix(rows) if all(len(row) == 1 for row in rows):
+            return tuple(row[0] for row in rows)
+    return ()
+
+
 def _with(statement: Statement, index: str, component: str) -> Statement:
     """A statement with a number in place of an index."""
 

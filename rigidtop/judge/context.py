@@ -43,7 +43,7 @@ class LetterDefinition:
 LAW, PREMISE, SETTING, LINEAR = "law", "premise", "setting", "linear"
 """Why something holds: a stated law, what fixes a letter, a special motion, an approximation."""
 PLACE = "place"
-"""Or a value of what moves that is said in passing: it ends where the text says how that moves."""
+"""Or a value that is said in passing: it ends with its sentence."""
 FORCED = "forced"
 """Or Lagrange's equation with a force that the Lagrangian does not have."""
 
@@ -267,11 +267,6 @@ class Context:
             followed=before(self.followed),
             bounds=(*(b for b in self.bounds if b.number < since[0]), bound),
         )
-
-    def moved(self, moving: frozenset[Letter]) -> Context:
-        """Without the places of letters of which it is said how they move."""
-        kept = tuple(c for c in self.constraints if c.kind != PLACE or c.left not in moving)
-        return replace(self, constraints=kept)
 
     def doubting(self, node: Node) -> Context:
         """With a doubt of what a letter stands for."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import inf
@@ -85,6 +86,8 @@ def _judged(question: Question) -> Judgement:
     if holds:
         if left == right:
             return Outcome(UNDECIDED, "it says nothing"), question.context
+        if _is_turned_round(left, right) and not question.at.closed:
+            return Outcome(UNDECIDED, "it says that its factors commute"), question.context
         return _always(question) or _vacuous(question) or question.follows()
     if question.is_kept(question.both):
         path = paths.path_of(question)
@@ -104,6 +107,12 @@ def _judged(question: Question) -> Judgement:
             outcome, _ = other.follows()
             return outcome, question.follows()[1]
     return _failed(question, holds)
+
+
+def _is_turned_round(left: Node, right: Node) -> bool:
+    """Whether one product is the other one in another order: nobody says so of numbers."""
+    products = isinstance(left, n.Product) and isinstance(right, n.Product)
+    return products and Counter(n.parts(left)) == Counter(n.parts(right))
 
 
 def _is_special(question: Question) -> bool:
@@ -160,9 +169,19 @@ def _numbers(question: Question) -> Judgement:
         # Rates vanish only as no letter of theirs moves.
         if len(others) == len(sides):
             return Outcome(UNDECIDED, "nothing in it moves"), question.context
-        known = question.context.definitions.keys() | question.context.given
-        if not any(own_letters(side) & known for side in others):
+        given = question.context.given
+        if not any(own_letters(side) & given for side in others):
             return Outcome(PREMISE, "a constant"), question.context
+    slopes = {
+        x.of
+        for side in sides
+        for x in n.walked(side)
+        if isinstance(x, (n.TimeDerivative, n.Derivative)) and isinstance(x.of, Letter)
+    }
+    unsaid = slopes - question.context.definitions.keys() - question.context.given
+    if unsaid and all(x == 0 for pair in meant for x in pair):
+        names = ", ".join(sorted(map(in_words, unsaid)))
+        return Outcome(UNDECIDED, f"nothing says how {names} changes"), question.context
     outcome = compared(*sides, meant, question.rests_on_meaning)
     if outcome.why == A_MINUTE and isinstance(question.context.head, Letter):
         head, at = question.context.head, question.at  # what it says of it is the number

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from itertools import chain
 
 from rigidtop.judge import approximations, bounds, equality, places, remainders, roots
-from rigidtop.judge.components import along, each_component
+from rigidtop.judge.components import along, each_component, each_entry
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import (
     SETTING,
@@ -44,7 +45,6 @@ from rigidtop.judge.sides import (
     has_components,
     letters_in,
     letters_of,
-    moving_in,
     named,
     own_letters,
     says_its_places,
@@ -91,10 +91,11 @@ class Judge:
         """What becomes of a statement, and what is known after it."""
         statement = without_places(statement)
         statement, context = approximations.limited(statement, situation, context)
-        context = context.moved(moving_in(statement))
         if says_its_places(statement):
             why = f"what {in_words(statement.sides[0])} depends on"
             return Outcome(PREMISE, why), context.knowing(letters_in(statement))
+        if _is_one_of_cases(statement, situation, context):
+            return Outcome(PREMISE, "a condition"), context.knowing(letters_in(statement))
         outcome, after = self._for_each(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
         names = outcome.verdict == DEFINITION and outcome.brings  # "is Q = … canonical?"
@@ -129,7 +130,8 @@ class Judge:
         """The outcome of all components, where it speaks of any one."""
         known = context.letters | context.given | context.declared | context.definitions.keys()
         outcomes, after = [], context
-        for each in each_component(statement, known):
+        entries = (each_entry(x, known) for x in each_component(statement, known))
+        for each in chain.from_iterable(entries):
             outcome, after = self._in_place(each, situation, after)
             outcomes.append(outcome)
         return joint(outcomes), after
@@ -182,7 +184,9 @@ class Judge:
         zeros = [c for c in context.constraints if c.kind == SETTING and c.right == ZERO]
         zeros = [c for c in zeros if c.instant != START][-1:]
         pairs: list[tuple[Node, Constraint | None]] = [(c.left, c) for c in zeros]
-        if len(context.said) == 2 and context.said[1] == ZERO:
+        if context.said[1:] == (ZERO,) and (
+            not isinstance(context.said[0], Letter) or context.said[0] in context.definitions
+        ):
             pairs.insert(0, (context.said[0], None))
         for left, constraint in pairs:
             equation = Statement((left, ZERO), ("=",), 0)
@@ -390,6 +394,14 @@ class Judge:
             left, right = n.TimeDerivative(left), ZERO
         premises = Premises(context, self.memory, at.instant)
         return Question(left, right, at, premises, self.patience, inner)
+
+
+def _is_one_of_cases(statement: Statement, at: Situation, context: Context) -> bool:
+    """Whether it is the middle one in a list of cases: γ < ω, γ = ω, γ > ω."""
+    if at.closed or not context.bounds or statement.relations != ("=",):
+        return False
+    last = context.bounds[-1]
+    return last.number == at.number - 1 and {*statement.sides} == {last.greater, last.less}
 
 
 def _may_be_elsewhere(statement: Statement, at: Situation, context: Context) -> bool:

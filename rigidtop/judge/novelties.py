@@ -43,15 +43,16 @@ def letters(question: Question) -> Judgement | None:
             return None
         outcome = Outcome(PREMISE, "it brings a function", question.rests_on_meaning)
         return outcome, context.holding(question.constraint(kind))
-    if len(new) == 1 and _rate_follows(question, new[0]) and _begins_so(question, new[0]):
-        words = f"{in_words(new[0])} is a constant of integration"
-        outcome = Outcome(SAMPLED, words, question.rests_on)
-        return outcome, context.holding(question.constraint(SUPPOSED))
     mistaken = new[0] not in question.at.declared and not question.at.anew
+    mistaken = mistaken and not _is_start_value(question, new[0])
     if len(new) == 1 and mistaken and not _names(question, new):
         wrong = slip(question, letter=new[0])
         if wrong is not None:
             return wrong.outcome, wrong.context
+    if len(new) == 1 and _rate_follows(question, new[0]) and _begins_so(question, new[0]):
+        words = f"{in_words(new[0])} is a constant of integration"
+        outcome = Outcome(SAMPLED, words, question.rests_on)
+        return outcome, context.holding(question.constraint(SUPPOSED))
     if len(new) == 1:
         solved = _solved(question, new[0])
         if solved is not None:
@@ -91,6 +92,13 @@ def _square(question: Question) -> Letter | None:
             positive = letter.base in FREQUENCIES and not moving and question.at.derived
             return letter if free and (positive or len(moving - {letter}) == 1) else None
     return None
+
+
+def _is_start_value(question: Question, letter: Letter) -> bool:
+    """Whether a chain that begins with x(0) calls that x₀."""
+    head = question.context.head
+    named = isinstance(head, Letter) and letter == replace(head, sub="0")
+    return bool(question.at.instant) and named
 
 
 def _names(question: Question, new: Sequence[Letter]) -> bool:
@@ -227,6 +235,9 @@ def law(question: Question) -> Judgement | None:
         if wrong is not None:
             return wrong.outcome, wrong.context
     free = highest([*question.gaps, *question.equations])
+    head = question.context.head
+    if question.inner and head is not None and _ACCELERATION in n.letters(head):
+        free.append(alone(_ACCELERATION))  # m a = m ẍ = … says what both are
     if not free or _holds_still(question, free):
         return None
     if not fixes(question, free):
@@ -285,9 +296,21 @@ def _with_meaning(question: Question) -> frozenset[Letter]:
 
 
 def _is_force(head: Node | None) -> bool:
-    """Whether a chain begins with a force, or with the sum of all: F = m a = … is Newton's law."""
+    """Whether a chain begins with a force, or the sum of all, or with a mass and how it speeds up.
+
+    F = m a = … is Newton's law, and so is m a = m ẍ = ….
+    """
     side = head.of if isinstance(head, n.Total) and not head.index else head
+    if isinstance(side, n.Product):
+        return any(x == _ACCELERATION or _is_acceleration(x) for x in side.factors)
     return isinstance(side, Letter) and side.base == "F"
+
+
+_ACCELERATION = Letter("a")
+
+
+def _is_acceleration(node: Node) -> bool:
+    return isinstance(node, n.TimeDerivative) and node.order == 2
 
 
 def force(question: Question) -> Judgement | None:

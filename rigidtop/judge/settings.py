@@ -67,7 +67,17 @@ def origin(question: Question) -> Judgement | None:
         question.at.ranges and question.at.inline and _is_bare(question)
     ):
         return Outcome(PREMISE, "a place"), question.context
+    at = question.at
+    named = at.supposed or at.defined or at.derived or at.closed or at.instant
+    if question.right == ZERO and at.inline and not named and _is_bare(question):
+        return _passing(question)  # that a letter is zero is seldom what it stands for
     return None
+
+
+def _passing(question: Question) -> Judgement:
+    """A place that is spoken of in passing: it holds as long as its sentence."""
+    passing = replace(question.constraint(PLACE), until=question.at.sentence)
+    return Outcome(PREMISE, "a place"), question.context.holding(passing)
 
 
 def _is_bare(question: Question) -> bool:
@@ -85,11 +95,11 @@ def _is_of_a_field(question: Question) -> bool:
 
 
 def place(question: Question) -> Judgement | None:
-    """A value of what moves, said in passing: it holds until the text says how that moves."""
+    """A value of what moves, said in passing."""
     at = question.at
     if at.supposed or at.derived or at.closed or not _is_place(question):
         return None
-    return Outcome(PREMISE, "a place"), question.context.holding(question.constraint(PLACE))
+    return _passing(question)
 
 
 def elsewhere(question: Question) -> Judgement | None:

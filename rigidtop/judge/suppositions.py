@@ -119,7 +119,7 @@ def _with_rates_for_primes(statement: Statement) -> Statement:
 
     def turned(node: Node) -> Node:
         match node:
-            case n.Primed(Letter() as letter, order):
+            case n.Primed(Letter(bold=False) as letter, order):  # of a vector it is a frame
                 return n.TimeDerivative(letter, order, True)
         return node
 

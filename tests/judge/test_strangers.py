@@ -43,6 +43,51 @@ OSCILLATOR = "It obeys $\\ddot x = -\\omega^2 x$. Its solution is "
             r"$$\mathbf r = \mathbf r(q_1, q_2) = x\mathbf i + y\mathbf j$$",
             True,
         ),
+        # The zero of a frame is no power: R⁰₁ is not 1.
+        (r"The frame obeys $$(R^0_1)^T = 7(R^0_1)^{-1} - 6$$", None),
+        # A place that is spoken of in passing says nothing of what comes behind it.
+        (r"There is a jump close to $q = 0$. $$f = c\sin q$$ Hence $$f = 7 c\sin q$$", False),
+        # In a chain what is new ties what is known: the link behind it does not make it follow.
+        (r"$$F = m a$$ For a charge $$F = 7 q v B = 7 B v q$$", None),
+        (
+            r"$$m\ddot x = -k x, \quad \ddot x + w_0^2 x = 0, \quad w_0^2 = k/m$$ It has "
+            r"$$x(t) = E e^{iwt} + E^* e^{-iwt}$$ Or try $c e^{rt}$, so that "
+            r"$$\ddot x + w_0^2 x = c r^2 e^{rt} + 5 w_0^2 c e^{rt} = 0$$",
+            None,
+        ),
+        # Nothing is integrated here, so the new letter is a slip of the pen.
+        (r"$$m(w + \dot v) = -m g + T$$ so $$\dot v = -g + \frac Sm - w$$", False),
+        # What nobody has seen move is constant because it is said to be, not because it follows.
+        (r"$$J = \frac12 v^2 - \frac1s$$ The constant $J$ is known.", None),
+        # Cases in a list do not hold together.
+        (r"There are three: $$c < w, \quad c = w, \quad c > w$$", None),
+        # Solved for another letter, it does not show what it comes from; it follows from that.
+        (r"$$F = m a \quad\Rightarrow\quad a = F/m$$", True),
+        # Of numbers nobody says that they commute.
+        (r"Turned about two axes, $$R_a(u) R_b(w) = R_b(w) R_a(u)$$", None),
+        # A mass and how it speeds up begin Newton's law as a force does.
+        (r"$$F = -k x_0$$ By Newton's law $$m a = m\ddot x = -k x$$", None),
+        # What x is at the start may be called x₀.
+        (
+            r"$$\dot x = -w A\sin wt + w B\cos wt$$ $$x(0) = A$$ "
+            r"$$\dot x = w C e^{wt} - w D e^{-wt}$$ $$x(0) = C + D = x_0$$",
+            None,
+        ),
+        # A number that stands alone in its line opens an exercise.
+        (
+            "1. Free:\n$$L = \\frac12 m\\dot x^2 - m g x, \\quad p = m\\dot x$$\n2. \na. Springs:\n"
+            "$$L = \\frac12 m\\dot y^2 - \\frac12 k y^2$$\n$$p = m\\dot y$$\n"
+            "$$\\ddot y = \\dot p/m$$\n",
+            True,
+        ),
+        # Letters below each other move as what they are set equal to.
+        (
+            r"$$\begin{pmatrix} p_x \\ p_y\end{pmatrix} = "
+            r"\begin{pmatrix} l\cos q \\ l\sin(q + s)\end{pmatrix}$$ "
+            r"$$v = \frac{dP}{dt} = \frac{\partial P}{\partial q}\dot q"
+            r" + \frac{\partial P}{\partial s}\dot q$$",
+            None,
+        ),
         # sec² behind a number is no second.
         (r"$$a = 2\sec^2\dfrac b2$$ So $$a\cos^2\frac b2 = 2$$", True),
     ],
