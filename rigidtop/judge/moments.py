@@ -21,8 +21,8 @@ from rigidtop.tree.plain import plain
 from rigidtop.tree.statement import Statement, Unread
 
 _STARTS = re.compile(
-    r"\b(start|beginning|begins? (?:at rest|from|with)|initial|at first|released|let go|dropped"
-    r"|thrown|launched|fired|projected|geworfen|lancé"
+    r"\b(start|count(?:ed|ing|s)? (?:the )?time from|beginning|begins? (?:at rest|from|with)"
+    r"|initial|at first|released|let go|dropped|thrown|launched|fired|projected|geworfen|lancé"
     r"|anfang|zu beginn|losgelassen"
     r"|début|lâché)",
     re.I,

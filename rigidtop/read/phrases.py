@@ -135,7 +135,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"(?:^|[.;¶] ?)(?:there(?! (?:is|are|was|were|exists?|remains?|must|can|will|has)\b)"
         r"|dort|là)\b[^§]*",
         r"(?:^|[.;¶] ?)(?:the )?(?:lowest|highest|foremost|nearest) point\b[^§]*",
-        r"\bat the (?:time|moment|instant) §[^§]*",
+        r"\bat the (?:time|moment|instant) §[^§]*|\b(?:moment|instant) with|(?:^|[.;¶] ?)start ?:",
         r"\bfrom (?:then|there|that moment) on\b[^§]*|\bvon da an\b[^§]*|\bdès lors\b[^§]*",
         r"\bat (?:this|that) (?:point|place|time|instant|stage|height|angle)\b[^§]*",
         r"\b(?:rotation|motion|body|top) (?:starts|begins) (?:about|around|along|with)\b.{0,40}",
