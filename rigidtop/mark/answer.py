@@ -90,6 +90,8 @@ def mark(
             break
         if isinstance(each, Unread):
             text = " ".join(str(situated).split())
+            if _IN_WORDS.fullmatch(text):
+                continue
             lines.append(Marked(at, text, Mark.UNREAD, each.reason, position=position))
             continue
         assert isinstance(situated, Situation)
@@ -105,6 +107,10 @@ def mark(
 
 _CODE = re.compile(r"(?<![`\\])`([^`'\n]+)`(?!`)")
 """A formula that is marked as code, as some write plain text."""
+
+
+_IN_WORDS = re.compile(r"['′]|\\?sin\s*\^\{?2\}?\s*\+\s*\\?cos\s*\^\{?2\}?\s*=\s*1")
+"""A prime alone, and sin² + cos² = 1 of whatever angle, are parts of the words."""
 
 
 @dataclass(frozen=True)

@@ -337,7 +337,7 @@ def _is_motion(use: Statement | Unread) -> bool:
 
 
 def _only_names(use: Statement, name: Letter | None) -> bool:
-    """Whether it is nothing to be solved for a letter: a rate, or 0 = Q sin θ, where Q is short."""
+    """Whether it is nothing to be solved for a letter: λ θ̈ = Q sin θ or 0 = Q sin θ, Q is short."""
     factors: set[n.Node] = set()
     for side in use.sides:
         match side:
@@ -345,7 +345,8 @@ def _only_names(use: Statement, name: Letter | None) -> bool:
                 factors |= {*many}
             case n.DotProduct(left, right):
                 factors |= {left, right}
-    return isinstance(use.sides[0], n.TimeDerivative) or (ZERO in use.sides and name in factors)
+    rate = any(isinstance(x, n.TimeDerivative) for x in (use.sides[0], *factors))
+    return rate or (ZERO in use.sides and name in factors)
 
 
 def _explained(each: Statement | Unread, facts: Collection[Letter]) -> Letter | None:

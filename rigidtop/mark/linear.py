@@ -48,7 +48,8 @@ def linearised(each: Statement, small: bool, number: int, context: Context) -> C
 def remembering(each: Statement, outcome: Outcome, number: int, context: Context) -> Context:
     """What is known with an equation for one component, if it follows: exp(κ t) is put into it."""
     left, *_, right = each.sides
-    if not (outcome.passed and each.relations == ("=",) and isinstance(left, n.TimeDerivative)):
+    equal = {*each.relations} <= {"=", *NEARLY}
+    if not (outcome.passed and equal and isinstance(left, n.TimeDerivative)):
         return context
     if left.order < 2:
         return context

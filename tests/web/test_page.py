@@ -160,7 +160,8 @@ def test_a_page_in_a_notebook_is_one_frame():
     assert frame[1]["srcdoc"] == made.html
     assert frame[1]["style"].endswith("height:500px")
     assert frame[1]["title"] == "The free body, live"
-    assert repr(made) == "LivePage(title='The free body, live', height=500)"  # not its half megabyte
+    # Its half megabyte is not printed.
+    assert repr(made) == "LivePage(title='The free body, live', height=500)"
 
 
 def test_without_three_js_one_line_says_what_to_install(monkeypatch):
