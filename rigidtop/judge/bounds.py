@@ -20,12 +20,14 @@ from rigidtop.tree.nodes import Node
 def judged(question: Question) -> Judgement:
     """The outcome of left ≥ right; raises UnclearError.
 
-    It follows if it is the same bound as one that is known: both are reached together.  Directly
-    behind one it is wrong the other way round.
+    Beside the text it is a condition.  It follows if it is the same bound as one that is known:
+    both are reached together.  Directly behind one it is wrong the other way round.
     """
     context, at = question.context, question.at
     condition = Outcome(PREMISE, "a condition")
     bound = Bound(question.left, question.right, at.number)
+    if at.inline:
+        return condition, context.opposing(bound)
     bounded = replace(context, bounds=(*context.bounds, bound))
     if len(question.meant) != 1 or all(are_numbers(*pair) for pair in question.meant):
         return condition, context
@@ -41,7 +43,7 @@ def judged(question: Question) -> Judgement:
         same = partial(_is_same, question, edge, known)
         if same(question.both, edge.worlds):
             return Outcome(SAMPLED, "", edge.rests_on), bounded
-        directly = not at.inline and at.number - each.number == 1
+        directly = at.number - each.number == 1
         if directly and same([pair[::-1] for pair in question.both], edge.worlds):
             turned = f"{latex(question.left)} \\leq {latex(question.right)}"
             words = "the relation turned round"

@@ -219,6 +219,12 @@ class Context:
         """This context with one more constraint."""
         return replace(self, constraints=(*self.constraints, constraint))
 
+    def staying(self, instant: str, sentence: int) -> Context:
+        """With what is so at an instant for all times, as long as one sentence speaks."""
+        there = (c for c in self.constraints if c.instant and c.instant == instant)
+        kept = tuple(replace(c, instant="", until=sentence) for c in there)
+        return replace(self, constraints=(*self.constraints, *kept))
+
     def without_equations(self) -> Context:
         """With no more than what letters stand for."""
         return replace(self, constraints=(), lawless=True)

@@ -7,13 +7,12 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import chain
 
-from rigidtop.judge import approximations, bounds, equality, places, remainders, roots
+from rigidtop.judge import approximations, bounds, cases, equality, places, remainders, roots
 from rigidtop.judge.components import along, each_component, each_entry
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.context import (
     SETTING,
     START,
-    Bound,
     Constraint,
     Context,
     LetterDefinition,
@@ -41,8 +40,10 @@ from rigidtop.judge.sides import (
     EQUALS,
     NEARLY,
     ZERO,
+    braces,
     gives_all_a_value,
     has_components,
+    is_acceleration,
     letters_in,
     letters_of,
     named,
@@ -56,7 +57,6 @@ from rigidtop.judge.situation import Situation
 from rigidtop.judge.suppositions import suppositions
 from rigidtop.judge.values import UnclearError
 from rigidtop.judge.vocabulary import Memory
-from rigidtop.read.phrases import Cue
 from rigidtop.tree import nodes as n
 from rigidtop.tree.nodes import Letter, Node
 from rigidtop.tree.plain import plain as in_words
@@ -94,17 +94,17 @@ class Judge:
         if says_its_places(statement):
             why = f"what {in_words(statement.sides[0])} depends on"
             return Outcome(PREMISE, why), context.knowing(letters_in(statement))
-        if _is_one_of_cases(statement, situation, context):
+        if cases.is_one_of_cases(statement, situation, context):
             return Outcome(PREMISE, "a condition"), context.knowing(letters_in(statement))
         outcome, after = self._for_each(statement, situation, context)
         doubting = context.doubting(statement.sides[0])
         names = outcome.verdict == DEFINITION and outcome.brings  # "is Q = … canonical?"
         if situation.asked and not (outcome.passed or names):
             return Outcome(UNDECIDED, "it is asked, or denied"), doubting
-        if outcome.verdict == FALSE and _may_be_elsewhere(statement, situation, context):
+        if outcome.verdict == FALSE and cases.may_be_elsewhere(statement, situation, context):
             why = "it is otherwise above; the words may speak of another case"
             return Outcome(UNDECIDED, why, outcome.rests_on), doubting
-        if outcome.passed and _is_said_again(statement, situation, context):
+        if outcome.passed and cases.is_said_again(statement, situation, context):
             why = "it is the same above, and the words speak of another case"
             return Outcome(UNDECIDED, why, outcome.rests_on), doubting
         if outcome.verdict == FALSE and outcome.rests_on & context.doubted:
@@ -156,7 +156,7 @@ class Judge:
         """The outcome as it stands, or with what may be left unsaid if it follows so."""
         usual = self._in_context(statement, situation, context)
         if situation.balanced:  # what is said of the moment is so all the time
-            context = _staying(context, situation)
+            context = context.staying(situation.instant, situation.sentence)
             situation = replace(situation, instant="")
         if usual[0].passed:
             return usual
@@ -396,44 +396,6 @@ class Judge:
         return Question(left, right, at, premises, self.patience, inner)
 
 
-def _is_one_of_cases(statement: Statement, at: Situation, context: Context) -> bool:
-    """Whether it is the middle one in a list of cases: γ < ω, γ = ω, γ > ω."""
-    if at.closed or not context.bounds or statement.relations != ("=",):
-        return False
-    last = context.bounds[-1]
-    return last.number == at.number - 1 and {*statement.sides} == {last.greater, last.less}
-
-
-def _may_be_elsewhere(statement: Statement, at: Situation, context: Context) -> bool:
-    """Whether it says anew what stands above, in circumstances that only words tell."""
-    told = Cue.CIRCUMSTANCE in at.cues and not at.closed
-    return told and context.speaks_of(statement.sides[0])
-
-
-def _is_said_again(statement: Statement, at: Situation, context: Context) -> bool:
-    """Whether it repeats what stands above, in circumstances that only words tell."""
-    said = {(each.left, each.right) for each in (*context.constraints, *context.followed)}
-    told = Cue.CIRCUMSTANCE in at.cues and not at.closed
-    return told and len(statement.sides) == 2 and statement.sides in said
-
-
-def braces(statement: Statement) -> Iterator[n.Braced]:
-    """The braces of a statement below which stands what the part is equal to, and no count."""
-    found = (x for side in statement.sides for x in n.walked(side) if isinstance(x, n.Braced))
-    for brace in found:
-        is_count = isinstance(brace.label, n.Number) and brace.label != ZERO
-        if brace.label is not None and not is_count:
-            yield brace
-
-
-def _staying(context: Context, at: Situation) -> Context:
-    """What is known where that which is so at an instant is so as long as one sentence speaks."""
-    there = [c for c in context.constraints if c.instant and c.instant == at.instant]
-    for each in there:
-        context = context.holding(replace(each, instant="", until=at.sentence))
-    return context
-
-
 def _explicit(question: Question, context: Context) -> Context:
     """What is known where the next link of a chain says in other letters what its head is.
 
@@ -463,9 +425,7 @@ def _with_open(statement: Statement, at: Situation, context: Context) -> Context
 def _accelerated(question: Question, outcome: Outcome, context: Context) -> Context:
     """What is known with an equation of motion; if one is wrong or open, none is."""
     sides = question.left, question.right
-    if not any(
-        isinstance(x, n.TimeDerivative) and x.order == 2 for side in sides for x in n.walked(side)
-    ):
+    if not any(is_acceleration(x) for side in sides for x in n.walked(side)):
         return context
     if outcome.verdict in (FALSE, UNDECIDED):
         return replace(context, accelerations=())
@@ -498,17 +458,8 @@ def _related(question: Question, relation: str) -> Judgement:
     if relation in (*GREATER, *LESS) and not question.inner:
         if relation in LESS:
             question = replace(question, left=question.right, right=question.left)
-        return _bounded(question)
+        return bounds.judged(question)
     return _conditioned(question, relation)
-
-
-def _bounded(question: Question) -> Judgement:
-    """The outcome of left ≥ right; beside the text it is a condition."""
-    context = question.context
-    if question.at.inline:
-        bound = Bound(question.left, question.right, question.at.number)
-        return Outcome(PREMISE, "a condition"), context.opposing(bound)
-    return bounds.judged(question)
 
 
 def _conditioned(question: Question, relation: str) -> Judgement:

@@ -18,7 +18,7 @@ from rigidtop.judge.names import is_component, is_vector
 from rigidtop.judge.outcome import DEFINITION, PREMISE, SAMPLED, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
 from rigidtop.judge.settings import fixes
-from rigidtop.judge.sides import ZERO, letters_of, own_letters
+from rigidtop.judge.sides import ZERO, is_acceleration, letters_of, own_letters
 from rigidtop.judge.surroundings import highest
 from rigidtop.judge.vocabulary import Meant
 from rigidtop.tree import nodes as n
@@ -302,15 +302,11 @@ def _is_force(head: Node | None) -> bool:
     """
     side = head.of if isinstance(head, n.Total) and not head.index else head
     if isinstance(side, n.Product):
-        return any(x == _ACCELERATION or _is_acceleration(x) for x in side.factors)
+        return any(x == _ACCELERATION or is_acceleration(x) for x in side.factors)
     return isinstance(side, Letter) and side.base == "F"
 
 
 _ACCELERATION = Letter("a")
-
-
-def _is_acceleration(node: Node) -> bool:
-    return isinstance(node, n.TimeDerivative) and node.order == 2
 
 
 def force(question: Question) -> Judgement | None:

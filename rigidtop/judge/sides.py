@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from sympy import Expr, MatrixBase
@@ -165,3 +165,17 @@ def says_its_places(statement: Statement) -> bool:
     return (
         alone and isinstance(right, n.Call) and isinstance(left, Letter) and right.function == left
     )
+
+
+def braces(statement: Statement) -> Iterator[n.Braced]:
+    """The braces of a statement below which stands what the part is equal to, and no count."""
+    found = (x for side in statement.sides for x in n.walked(side) if isinstance(x, n.Braced))
+    for brace in found:
+        is_count = isinstance(brace.label, n.Number) and brace.label != ZERO
+        if brace.label is not None and not is_count:
+            yield brace
+
+
+def is_acceleration(node: Node) -> bool:
+    """Whether it is a second rate in time."""
+    return isinstance(node, n.TimeDerivative) and node.order == 2

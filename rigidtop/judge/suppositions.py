@@ -13,7 +13,7 @@ from rigidtop.judge.context import SETTING, START, Constraint, Context, LetterDe
 from rigidtop.judge.habits import bare
 from rigidtop.judge.laws import LAGRANGIANS, drags
 from rigidtop.judge.letters import CLOCK
-from rigidtop.judge.sides import letters_in
+from rigidtop.judge.sides import is_acceleration, letters_in
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.starts import (
     with_acceleration,
@@ -179,7 +179,7 @@ def _at_the_latest_time(statement: Statement, context: Context) -> Statement | N
 def _accelerates(statement: Statement) -> bool:
     """Whether a second rate stands in it."""
     nodes = (x for side in statement.sides for x in n.walked(side))
-    return any(isinstance(x, n.TimeDerivative) and x.order == 2 for x in nodes)
+    return any(map(is_acceleration, nodes))
 
 
 def _without_potential(at: Situation, context: Context) -> Context | None:

@@ -414,13 +414,8 @@ def _names(start: str, goal: str, pages: Lecture) -> list[Statement]:
     wanted = {*pages.names[goal]}
     wanted |= {x for id in wanted for x in pages.above(id)}
     usual = {condition for id in pages.names[start] for condition in _set(id, pages)}
-    return [
-        x
-        for id in pages.lines
-        if id in wanted
-        for x in names(id, pages)
-        if _set(id, pages) <= usual
-    ]
+    ids = (id for id in pages.lines if id in wanted)
+    return [x for id in ids for x in names(id, pages) if _set(id, pages) <= usual]
 
 
 def names(id: str, pages: Lecture) -> Together:
