@@ -12,7 +12,14 @@ from itertools import combinations
 from sympy import Rational
 
 from rigidtop.judge import definitions, oscillations, worth
-from rigidtop.judge.context import LINEAR, Context, LetterDefinition, LimitingCase
+from rigidtop.judge.context import (
+    LINEAR,
+    SETTING,
+    Constraint,
+    Context,
+    LetterDefinition,
+    LimitingCase,
+)
 from rigidtop.judge.faults import NEARLY_ALIKE, NUMBERS, SLIP_SECONDS, Slip, slip
 from rigidtop.judge.implicit import implicit, solves_nearly
 from rigidtop.judge.jets import jet_of, jets
@@ -31,7 +38,7 @@ from rigidtop.judge.orders import (
 from rigidtop.judge.outcome import ASSUMING, FALSE, PREMISE, UNDECIDED, Outcome
 from rigidtop.judge.question import Judgement, Pair, Question
 from rigidtop.judge.settings import is_own
-from rigidtop.judge.sides import ZERO
+from rigidtop.judge.sides import ZERO, own_letters
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.slips import times
 from rigidtop.judge.values import UnclearError
@@ -46,6 +53,7 @@ from rigidtop.tree.statement import Statement
 
 def judged(question: Question) -> Judgement:
     """The outcome of ≈; raises UnclearError."""
+    question = _with_little_free(question)
     if question.inner and question.worlds.vanish([left for left, _ in question.both]):
         # Of 0 = a ≈ b it is asked how a becomes b, whatever it is that vanishes.
         said = question.left
@@ -84,6 +92,20 @@ def judged(question: Question) -> Judgement:
     if apart is not None:
         return apart, context
     return Outcome(UNDECIDED, "it is not seen for what it is nearly true"), context
+
+
+def _with_little_free(question: Question) -> Question:
+    """The question where a letter that is said to be small is one, and equal to what it is for.
+
+    Then it can be made smaller: ε of ε = a/b² ≪ 1.
+    """
+    context = question.context
+    for letter in frozenset[Letter]().union(*context.little):
+        if (meant := context.definitions.get(letter)) is not None:
+            others = {x: each for x, each in context.definitions.items() if x != letter}
+            equal = Constraint(letter, meant.node, meant.number, SETTING, meant.scope)
+            context = replace(context, definitions=others).holding(equal)
+    return question.within(context) if context is not question.context else question
 
 
 def tending(question: Question) -> Judgement:
@@ -188,8 +210,11 @@ def _still(context: Context) -> Context:
 
 def said(question: Question) -> Judgement | None:
     """What words say is true for what is small or large, though "=" is written."""
-    limits = any(x.sentence == question.at.sentence for x in question.context.limits)
-    if not (question.at.small or question.at.large or limits):
+    context, at = question.context, question.at
+    limits = any(x.sentence == at.sentence for x in context.limits)
+    little = frozenset[Letter]().union(*context.little)
+    written = own_letters(question.left) | own_letters(question.right)
+    if not (at.small or at.large or limits or written & little):
         return None
     if any(0 in pair and not (pair[0] + pair[1]).expand().is_Add for pair in question.both):
         return None  # that it is small itself does not make it vanish
@@ -295,20 +320,23 @@ def _alike(question: Question, both: Sequence[Pair], worlds: Worlds, strictly: b
 
 def _scalings(question: Question, worlds: Worlds) -> list[Scaling]:
     """What may be small or large here: what is said to be, before what is only possible."""
-    limits = [x for x in question.context.limits if x.sentence == question.at.sentence]
+    here = question.at.sentence
+    limits = [x for x in question.context.limits if x.sentence == here]
+    little = _little(question, worlds)
+    compared = little[-1:] if question.context.compared == here else []  # in the same sentence
     if limits:
         tending = [tending_to(x.letter, x.large, worlds) for x in limits]
         if any(tending) or not question.at.large:
-            return [each for each in tending if each is not None]
-    if question.context.compared == question.at.sentence and (here := _little(question, worlds)):
-        return here[-1:]  # said in the same sentence
+            return [*compared, *(each for each in tending if each is not None)]
+    if compared:
+        return compared
     which = "large" if question.at.large else "small" if question.at.small else ""
     usual = _scaled(question, worlds, which)
     if question.at.large and question.at.small:
         usual += _scaled(question, worlds, "small")
     if which == "large" and question.at.closed:
         usual += [x for x in _scaled(question, worlds, "small") if _is_of_own(question, x)]
-    return [*_little(question, worlds), *usual]
+    return [*little, *usual]
 
 
 def _scaled(question: Question, worlds: Worlds, which: str) -> list[Scaling]:

@@ -1,9 +1,10 @@
-"""Differentials that stand alone, as rates: dφ = N dt/L says that φ̇ = N/L."""
+"""Differentials that stand alone, as rates: dφ = N dt/L says that φ̇ = N/L; and variations."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from rigidtop.judge.letters import CLOCK
 from rigidtop.tree import nodes as n
@@ -28,6 +29,60 @@ def in_rates(read: Iterable[Statement | Unread]) -> list[Statement | Unread]:
         if isinstance(node, n.TimeDerivative) and isinstance(node.of, Letter)
     }
     return [_in_rates(each, moving) if isinstance(each, Statement) else each for each in stated]
+
+
+def in_variations(read: Iterable[Statement | Unread]) -> list[Statement | Unread]:
+    """Statements in which δ before a letter makes another one of it: δθ is small, and has a rate.
+
+    Others stay where δ is a letter itself.
+    """
+    stated = [*read]
+    nodes = [
+        node
+        for each in stated
+        if isinstance(each, Statement)
+        for side in each.sides
+        for node in n.walked(side)
+    ]
+    if DELTA not in nodes or is_factor(nodes):
+        return stated
+    return [
+        replace(each, sides=tuple(n.mapped(side, _in_variations) for side in each.sides))
+        if isinstance(each, Statement)
+        else each
+        for each in stated
+    ]
+
+
+DELTA = Letter("δ")
+
+
+def is_factor(nodes: Sequence[Node]) -> bool:
+    """Whether δ stands anywhere but in front of what it may vary, as in δ x."""
+    products = (x.factors for x in nodes if isinstance(x, n.Product))
+    pairs = [pair for factors in products for pair in pairwise(factors) if pair[0] == DELTA]
+    varied = [x for _, x in pairs if not isinstance(x, (n.Power, n.Bracketed))]
+    return nodes.count(DELTA) > len(varied)
+
+
+def _in_variations(node: Node) -> Node:
+    """A product in which each δ is one with the letter, or the rate of a letter, behind it."""
+    if not isinstance(node, n.Product):
+        return node
+    factors: list[Node] = []
+    for factor in node.factors:
+        varied = _varied(factor) if factors and factors[-1] == DELTA else None
+        factors[-1:] = [varied] if varied is not None else [*factors[-1:], factor]
+    return factors[0] if len(factors) == 1 else n.Product(tuple(factors))
+
+
+def _varied(node: Node) -> Node | None:
+    match node:
+        case Letter(base):
+            return replace(node, base=f"δ{base}")
+        case n.TimeDerivative(Letter(base) as of):
+            return replace(node, of=replace(of, base=f"δ{base}"))
+    return None
 
 
 def _in_rates(each: Statement, moving: Collection[Node]) -> Statement:

@@ -350,6 +350,7 @@ def _judged_new(question: Question, holds: bool | None) -> Judgement:
     """What it brings that is new; else what is wrong with it."""
     return (
         signs.one_root(question)
+        or settings.one_value(question)
         or definitions.again(question)
         or settings.place(question)
         or settings.number(question)
@@ -379,7 +380,7 @@ def _wrong(question: Question, holds: bool | None) -> Judgement:
     if question.patience.is_over:
         return Outcome(UNDECIDED, DOES_NOT_FOLLOW), context
     # In a line of words it may be said of another case, if it is not a sign or a number.
-    wrong = approximations.near_slip(question) if at.small and at.inline else None
+    wrong = approximations.near_slip(question) if at.small else None
     if wrong is not None:
         return wrong.outcome, context
     wrong = faults.slip(question, most=NUMBERS if at.inline and not at.derived else inf)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise
 
 from rigidtop.judge.brackets import conjugates
 from rigidtop.judge.context import Habits
+from rigidtop.judge.differentials import DELTA, is_factor
 from rigidtop.judge.fields import fields_of
 from rigidtop.judge.laws import ENERGIES, HAMILTONIANS, LAGRANGIANS
 from rigidtop.judge.letters import CLOCK, COORDINATES, PLACES, SPEED, SPEEDS
@@ -177,17 +177,6 @@ def _is_multiple(value: Node) -> bool:
     return len(names) == 1 and isinstance(names[0], Letter)
 
 
-_DELTA = Letter("δ")
-
-
-def _is_letter(nodes: Sequence[Node]) -> bool:
-    """Whether δ stands anywhere but in front of what it may vary, as in δ x."""
-    products = (x.factors for x in nodes if isinstance(x, n.Product))
-    pairs = [pair for factors in products for pair in pairwise(factors) if pair[0] == _DELTA]
-    varied = [x for _, x in pairs if not isinstance(x, (n.Power, n.Bracketed))]
-    return nodes.count(_DELTA) > len(varied)
-
-
 _PLACE = Letter("x")
 
 
@@ -280,7 +269,7 @@ def habits_of(read: Sequence[Statement]) -> Habits:
         for side in each.sides[:1]
         if side in (Letter("e"), Letter("π")) or (each.relations and side == Letter("i"))
     }
-    own |= {_DELTA} if _is_letter(nodes) else set()
+    own |= {DELTA} if is_factor(nodes) else set()
     return Habits(
         frozenset(moving),
         functions,

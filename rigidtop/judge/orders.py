@@ -195,8 +195,7 @@ def _tends(
     step, last = _last(lambda step: _gap(*sides, step))  # it decides most often
     if last is None or not (last.share < LITTLE).all():
         return False
-    holds, held = (_settled(tuple(equations), worlds, scaling, k)[1] for k in (step, step - 1))
-    if holds and not held:
+    if not all(_settled(tuple(equations), worlds, scaling, k)[1] for k in range(step + 1)):
         return False  # the numbers have jumped to where something else is small
     first = _gap(*sides, 0)
     if first is None or not np.isfinite(first.share).all():
@@ -319,6 +318,9 @@ def _settled(
     return first, False
 
 
+_NOTHING = 1e-12
+"""What is no larger is left by rounding, beside numbers of which most are about one."""
+
 _STEPS, _PATIENCE = 30, 12
 """So many steps towards numbers at which equations hold, and so few where it only jumps about."""
 
@@ -343,4 +345,4 @@ def _moved(
         if largest < 1e-13 or (step > _PATIENCE and largest > 0.3):
             break
     here = Program(worlds.letters, points).values(equations)
-    return points, bool((np.abs(here.values) <= 1e-8 * (here.sizes + 1e-12)).all())
+    return points, bool((np.abs(here.values) <= 1e-8 * here.sizes + _NOTHING).all())

@@ -11,7 +11,7 @@ from itertools import zip_longest
 from math import inf
 from typing import Final
 
-from rigidtop.judge.differentials import in_rates
+from rigidtop.judge.differentials import in_rates, in_variations
 from rigidtop.judge.habits import functions_of, has_length
 from rigidtop.read.macros import Macro, Macros, customary, defined
 from rigidtop.read.passages import CONSTANT, Passage, passages
@@ -60,7 +60,8 @@ def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -
         for each in _read(passage, own, until, known, lettered)
     ]
     read = _continued(_written_for(read))
-    read = [*zip((x for x, _ in read), in_rates(x for _, x in read), strict=True)]
+    stated = in_rates(in_variations(x for _, x in read))
+    read = [*zip((x for x, _ in read), stated, strict=True)]
     shapes = frozenset(_shapes(each for _, each in read).items())
     return [(passage, _folded(each, shapes)) for passage, each in read] if shapes else read
 

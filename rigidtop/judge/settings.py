@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import numpy as np
 from sympy import Symbol
 
 from rigidtop.judge import worlds as w
 from rigidtop.judge.context import PLACE, SETTING, Context, LetterDefinition
 from rigidtop.judge.context import PREMISE as SUPPOSED
-from rigidtop.judge.jets import TIME, Jet, jet_of, jets
+from rigidtop.judge.jets import TIME, Jet, jet_of, jets, symbols
 from rigidtop.judge.numbers import are_numbers
 from rigidtop.judge.outcome import DEFINITION, PREMISE, Outcome
 from rigidtop.judge.question import Judgement, Question, alone
@@ -229,6 +230,30 @@ def chosen(question: Question) -> Judgement | None:
         if not (timed and question.of(question.both, known).worlds.count):
             return None
     return Outcome(PREMISE, "it is chosen", question.rests_on_meaning), known
+
+
+def one_value(question: Question) -> Judgement | None:
+    """One of the two numbers that something has where it stands: cos θ is 1 or −1 if sin θ is 0."""
+    if len(question.both) != 1 or question.inner:
+        return None
+    [(left, right)] = question.both
+    worlds = question.worlds
+    if not worlds.count or not symbols(left) or symbols(right) or not worlds.knows([left]):
+        return None
+    gaps = worlds.program.values([left - right]).values[0]
+    if not np.isfinite(gaps).all():
+        return None
+    here = np.abs(gaps) < SAME
+    others = gaps[~here]
+    if not here.any() or not others.size or (np.abs(others - others[0]) > SAME).any():
+        return None
+    rests_on = question.rests_on
+    known = question.context.holding(question.constraint(SETTING))
+    return Outcome(PREMISE, "it is one of two values", rests_on), known
+
+
+SAME = 1e-9
+"""Numbers that differ by less are the same."""
 
 
 def part(question: Question) -> Judgement | None:

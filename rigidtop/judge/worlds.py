@@ -14,7 +14,8 @@ from operator import attrgetter
 import numpy as np
 import sympy
 from numpy.typing import NDArray
-from sympy import Expr, I, Mul, Symbol, exp, factor_terms, fraction, together
+from sympy import Expr, I, Integer, Mul, Symbol, exp, factor_terms, fraction, together
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from rigidtop.judge.digits import Place, has_extremes, needed, places, refined
 from rigidtop.judge.jets import TIME, Jet, jet_of, symbols
@@ -150,7 +151,7 @@ class Worlds:
 
     def vanish(self, expressions: Sequence[Expr]) -> bool:
         """Whether all of them are zero in every world."""
-        if not self._knows(expressions) or not self.count:
+        if not self.knows(expressions) or not self.count:
             return False
         values = np.abs(self.program.values(expressions).values)
         return bool((values < _ZERO).all() and (values <= self._noise(expressions)).all())
@@ -158,7 +159,7 @@ class Worlds:
     def _gaps(self, sides: Sequence[tuple[Expr, Expr]]) -> Gaps | None:
         """By how much both sides differ; None where there are no worlds, or no numbers in them."""
         expressions = [x for pair in sides for x in pair]
-        if not self._knows(expressions) or not self.count:
+        if not self.knows(expressions) or not self.count:
             return None
         try:
             found = self.program.values(expressions)
@@ -204,12 +205,13 @@ class Worlds:
 
     def signs(self, expressions: Sequence[Expr]) -> NDArray[np.float64] | None:
         """The sign of each expression in each world; None where they are no numbers."""
-        if not self._knows(expressions) or not self.count:
+        if not self.knows(expressions) or not self.count:
             return None
         values = self.program.values(expressions).values
         return np.sign(values.real) if np.isfinite(values).all() else None
 
-    def _knows(self, expressions: Sequence[Expr]) -> bool:
+    def knows(self, expressions: Sequence[Expr]) -> bool:
+        """Whether each letter of some expressions has a number."""
         known = {*self.letters}
         return all(symbols(x) <= known for x in expressions)
 
@@ -299,6 +301,15 @@ def _found(
         exact = _stay(points, exact, parameters | free)
         every = np.hstack([every, points[:, exact & (np.abs(points) < 1e4).all(axis=0)]])
         zero, real = _vanishing(letters, every, sums)
+    turns = _half_turns(equations, letters, every)
+    if turns.any():
+        # An angle that is π there may be zero as well.
+        origins = starts(letters, 0)[:, : 3 * enough] * np.where(turns, 0.1, 1)[:, None]
+        points, exact = solved(equations, letters, origins, weights, enough)
+        exact = _stay(points, exact & _is_not_zero(not_zero, letters, points), parameters & ~turns)
+        every = np.hstack([every[:, : (enough + 1) // 2], points[:, exact]])
+        zero, real = _vanishing(letters, every, sums)
+        zero[: len(letters)][turns] = False
     # A place where something happens to vanish says less than one where nothing does, or only
     # the rate of it.
     vanishing = np.array([4 - min(order(x), 3) for x in letters] + [4] * len(sums)) @ zero
@@ -333,6 +344,20 @@ def _in_exponents(equations: Iterable[Expr]) -> frozenset[Symbol]:
     """The letters that stand beside the time in an exponent, as κ in exp(κ t)."""
     exponents = (x.args[0] for e in equations for x in e.atoms(exp) if TIME in symbols(x))
     return frozenset().union(*map(symbols, exponents)) - {TIME}
+
+
+def _half_turns(
+    equations: Sequence[Expr], letters: Sequence[Symbol], points: Array
+) -> NDArray[np.bool_]:
+    """Which letters are angles that are multiples of π in all worlds, and not zero in all."""
+    with np.errstate(all="ignore"):
+        whole = np.abs(np.sin(points)) < 1e-6
+    made: NDArray[np.bool_] = np.logical_and(whole.all(axis=1), (np.abs(points) > 1).any(axis=1))
+    if not made.any():
+        return made
+    bare = [e.replace(TrigonometricFunction, lambda *_: Integer(1)) for e in equations]
+    free = {x for e in bare for x in symbols(e)}
+    return np.array([turns and x not in free for x, turns in zip(letters, made, strict=True)])
 
 
 def _with_amplitudes(

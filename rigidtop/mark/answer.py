@@ -48,6 +48,7 @@ from rigidtop.mark.contexts import (
 )
 from rigidtop.mark.marking import Mark, Marked, Marking
 from rigidtop.mark.task import Branch, Task, Together
+from rigidtop.mark.vectors import with_vectors
 from rigidtop.read.phrases import Cue
 from rigidtop.read.walk import places
 from rigidtop.tree import nodes as n
@@ -79,6 +80,7 @@ def mark(
     source = _CODE.sub(lambda match: f" {match[1]} ", source)
     read, _ = read_text(source, until=until, plain=True)
     task = in_angles(read, in_names_of(read, task))
+    read = with_vectors(read, task)
     answer = _Answer.begun(source, read, task)
     lines: list[Marked] = []
     line_of = places(source)

@@ -418,6 +418,8 @@ BEHIND: dict[Cue, tuple[str, ...]] = {
     Cue.ASKED: (
         r"[^.]*\?",
         r",? ?(?:would be|is|are|was) (?:wrong|false|not true|no longer)|,? ?does not hold",
+        r"[^.;:§]{0,40}\b(?:would(?: not| no longer| never|n't)|ne (?:serait|pourrait) (?:pas|plus)"
+        r"|(?:würde|wäre|könnte)n? [^.;:§]{0,20}(?:nicht|nie|kein\w*))\b",
         r",? ?(?:is|are|ist|est) (?:no|not an?|keine?|pas une) (?:solution|root|Lösung|racine)",
     ),
 }

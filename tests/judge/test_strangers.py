@@ -9,6 +9,11 @@ from rigidtop.commands.notes import audited
 from rigidtop.read.project import TextFile
 
 PENDULUM = "The pendulum obeys $m l^2\\ddot\\theta + m g l\\sin\\theta = 0$. "
+VARIED = (
+    r"Let $\theta = \theta_0 + \delta\theta$ with small $\delta\theta$ and constant $\theta_0$. "
+    r"From $$\ddot\theta = W^2\sin\theta\cos\theta - k\sin\theta, \quad "
+    r"k\sin\theta_0 = W^2\sin\theta_0\cos\theta_0$$ we get to first order "
+)
 OSCILLATOR = "It obeys $\\ddot x = -\\omega^2 x$. Its solution is "
 
 
@@ -90,6 +95,19 @@ OSCILLATOR = "It obeys $\\ddot x = -\\omega^2 x$. Its solution is "
         ),
         # sec² behind a number is no second.
         (r"$$a = 2\sec^2\dfrac b2$$ So $$a\cos^2\frac b2 = 2$$", True),
+        # To first order a slip is told in a display, and δ with a letter is one of its own.
+        (VARIED + r"$$\delta\ddot\theta = (W^2\cos 2\theta_0 - k\cos\theta_0)\delta\theta$$", True),
+        (
+            VARIED + r"$$\delta\ddot\theta = (W^2\sin 2\theta_0 - k\cos\theta_0)\delta\theta$$",
+            False,
+        ),
+        (
+            VARIED + r"$$\delta\ddot\theta = (W^2\cos 2\theta_0 + k\cos\theta_0)\delta\theta$$",
+            False,
+        ),
+        # An angle whose sine vanishes may be 0 as well as π.
+        (r"We need $\sin\theta_0 = 0$. Below it is $\cos\theta_0 = 1$", None),
+        (r"We need $\sin\theta_0 = 0$. Above it is $\cos\theta_0 = -1$", None),
     ],
 )
 def test_what_becomes_of_the_last_formula(text, expected):
