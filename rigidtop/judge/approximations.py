@@ -41,6 +41,7 @@ from rigidtop.judge.settings import is_own
 from rigidtop.judge.sides import ZERO, own_letters
 from rigidtop.judge.situation import Situation
 from rigidtop.judge.slips import times
+from rigidtop.judge.surroundings import highest
 from rigidtop.judge.values import UnclearError
 from rigidtop.judge.worlds import Worlds
 from rigidtop.read.phrases import Cue
@@ -216,7 +217,9 @@ def said(question: Question) -> Judgement | None:
     written = own_letters(question.left) | own_letters(question.right)
     if not (at.small or at.large or limits or written & little):
         return None
-    if any(0 in pair and not (pair[0] + pair[1]).expand().is_Add for pair in question.both):
+    given = {*highest(question.equations)}  # B η̇ = 0, where it is a product of two small things
+    bare = [a + b for a, b in question.both if 0 in (a, b) and not (a + b).expand().is_Add]
+    if any(given.isdisjoint(x.free_symbols) for x in bare):
         return None  # that it is small itself does not make it vanish
     outcome = nearly_equal(question)
     if outcome is None:

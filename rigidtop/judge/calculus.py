@@ -10,6 +10,7 @@ import sympy
 from sympy import Expr, MatrixBase
 
 from rigidtop.judge import quadrature, series
+from rigidtop.judge.context import START
 from rigidtop.judge.jets import TIME, at_instant, jet_of, jets, symbols, time_at
 from rigidtop.judge.letters import INFINITY, MOMENTA
 from rigidtop.judge.particles import MASS, PARTICLES, REGION, VOLUME, is_over_body, part, tuples
@@ -125,7 +126,7 @@ class Calculus(Vocabulary):
     def at_time(self, value: Value, place: Node) -> Value:
         """What a value is at a time, as x(0) is."""
         time = self.scalar(place)
-        return self._then(value, f"t={sympy.srepr(time)}", time)
+        return self._then(value, START if time == 0 else f"t={sympy.srepr(time)}", time)
 
     def _then(self, value: Value, instant: str, time: Expr) -> Value:
         """What a value is at an instant."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from sympy import MatrixBase
 
 from rigidtop.judge.letters import CLOCK
-from rigidtop.tree.nodes import Letter, Node, Number, Unit, letters, walked
+from rigidtop.tree.nodes import Letter, Node, Number, TimeDerivative, Unit, letters, walked
 
 START = "start"
 """The instant at which a motion begins; the time is zero then, if nothing else is said."""
@@ -32,11 +32,15 @@ class LetterDefinition:
     """Whether it is said of a case, and ends where another scope begins."""
     motion: bool = False
     """Whether it is a motion in time, which ends with the part of the text around its scope."""
+    deviation: bool = False
+    """Whether it is a place with what moves away from there, which ends with its scope."""
 
     def lasts(self, scope: tuple[int, ...]) -> bool:
         """Whether the letter stands for it in another scope, too."""
         if self.supposed:
             return self.scope == scope
+        if self.deviation:
+            return is_open(self.scope, scope)
         return not self.motion or is_open(self.scope[:-1], scope)
 
 
@@ -70,6 +74,11 @@ class Constraint:
     @property
     def letters(self) -> frozenset[Letter]:
         return letters(self.left) | letters(self.right)
+
+    def stays(self, moving: frozenset[Letter]) -> bool:
+        """Whether it gives something that moves, or the rate of it, a value that does not."""
+        left = self.left.of if isinstance(self.left, TimeDerivative) else self.left
+        return self.kind != LAW and left in moving and not letters(self.right) & moving
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,6 +233,24 @@ class Context:
         there = (c for c in self.constraints if c.instant and c.instant == instant)
         kept = tuple(replace(c, instant="", until=sentence) for c in there)
         return replace(self, constraints=(*self.constraints, *kept))
+
+    def deviating(self, letter: Letter) -> Context:
+        """With no special motion of a letter that moves, but with what it has said of constants."""
+        moving = self.habits.moving
+        special = [
+            c
+            for c in self.constraints
+            if not c.instant and (c.kind in (SETTING, PLACE) or c.stays(moving))
+        ]
+        since = min((c.number for c in special if letter in c.letters), default=None)
+        if since is None:
+            return self
+        over = [c for c in special if c.number >= since]
+        kept = [c for c in self.constraints if c not in over]
+        said = [
+            c for c in self.followed if c.number > since and not (c.instant or c.letters & moving)
+        ]
+        return replace(self, constraints=(*kept, *said))
 
     def without_equations(self) -> Context:
         """With no more than what letters stand for."""

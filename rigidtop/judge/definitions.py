@@ -39,7 +39,8 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
         return None  # a derivative of what is known
     letter = question.meaning().named(letter)
     index = next((x for x in habits.indices if letter.sub == x), "")
-    if letter in context.definitions and not _only_names(question, letter):
+    deviates = _deviates(question, letter, other)
+    if letter in context.definitions and not (deviates or _only_names(question, letter)):
         return None
     if letter in context.given or letter in own_letters(other) or _acts(letter, other):
         return None
@@ -75,10 +76,26 @@ def definition(question: Question, name: Node, other: Node) -> Judgement | None:
     at, node = question.at, signed(other, question.signs[0])
     supposed = _is_case(question, letter, node)
     meant = LetterDefinition(node, at.number, at.scope, places, index, supposed=supposed)
+    if deviates:
+        meant = replace(meant, deviation=True)
+        context = context.deviating(letter)
     known = context.defining(letter, meant)
     why = f"what {in_words(name)} stands for"
     brings = frozenset({in_words(letter)})
     return Outcome(DEFINITION, why, frozenset(meaning.used), brings=brings), known
+
+
+def _deviates(question: Question, letter: Letter, other: Node) -> bool:
+    """Whether it is a place and what moves away from there, as r = a + ε, or 0 + ε."""
+    context = question.context
+    if letter not in question.moving or question.at.closed:
+        return False
+    terms = other.terms if isinstance(other, n.Sum) else (other,)
+    new = {x for x in terms if x in question.moving and x not in context.letters}
+    before = context.definitions.get(letter)
+    return bool(new) and (
+        before is None or not own_letters(before.node).isdisjoint(question.moving)
+    )
 
 
 def nearly(question: Question) -> Judgement | None:

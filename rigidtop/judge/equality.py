@@ -149,7 +149,10 @@ def _forced(question: Question, terms: Sequence[Expr]) -> Judgement | None:
     numbers = filter(None, map(jet_of, question.worlds.zeros))
     stuck = any(settings.is_own(question, x) for x in numbers)
     facts = tuple(c for c in context.constraints if c.number < 0 or c.instant)
-    if not question.at.closed or not (stuck or len(facts) < len(context.constraints)):
+    if not question.at.closed:
+        nothing = Outcome(UNDECIDED, ALL_VANISH, question.rests_on), context
+        return None if question.at.instant else nothing
+    if not (stuck or len(facts) < len(context.constraints)):
         return None
     general = replace(question.within(replace(context, constraints=facts)), asked=None)
     if not stuck and general.worlds.count and general.worlds.vanish(terms):
@@ -220,11 +223,10 @@ def _vacuous(question: Question) -> Judgement | None:
 
 
 def _is_case(constraint: Constraint, moving: frozenset[Letter]) -> bool:
-    """Whether a constraint gives what moves a number, at which it stays, or says what vanishes."""
+    """Whether a constraint gives what moves a value, at which it stays, or says what vanishes."""
     if constraint.kind == SETTING and constraint.number >= 0:
         return True  # as a vector that is set along another one, and has to vanish for that
-    number = isinstance(constraint.right, n.Number)
-    return number and (constraint.left in moving or constraint.right == ZERO)
+    return constraint.right == ZERO or (constraint.left in moving and constraint.stays(moving))
 
 
 def _failed(question: Question, holds: bool | None) -> Judgement:
@@ -295,8 +297,8 @@ def _path(question: Question, holds: bool | None) -> Judgement | None:
         rests_on = frozenset().union(*(each.rests_on for each in laws)) | question.rests_on_meaning
         return Outcome(SAMPLED, "it solves what stands above", rests_on), question.context
     if paths.is_free(question):
-        # One of known letters alone that solves what holds with another number is wrong.
-        wrong = None if new else faults.slip(question, most=NUMBERS)
+        # One of known letters alone that solves what holds with a small change is wrong.
+        wrong = None if new else faults.slip(question, most=faults.FUNCTIONS)
         if wrong is not None:
             return wrong.outcome, wrong.context
         words = f"a motion of {in_words(question.left)} that is tried"

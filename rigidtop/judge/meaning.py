@@ -93,7 +93,7 @@ def _exponential(matrix: MatrixBase) -> Value:
         raise UnclearError("an exponential of a matrix that has not two rows is not judged")
     half = matrix.trace() / 2
     rest = matrix - half * sympy.eye(2)
-    turn = sympy.sqrt(rest.det())  # of J, with J² = −1, it is 1
+    turn = sympy.powdenest(sympy.sqrt(rest.det().factor()), force=True)  # of J, J² = −1, it is 1
     ratio = sympy.sin(turn) / turn if turn != 0 else 1
     inner = sympy.cos(turn) * sympy.eye(2) + ratio * rest
     return ImmutableMatrix(sympy.exp(half) * inner)

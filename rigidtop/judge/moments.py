@@ -282,16 +282,11 @@ def instant_at(time_of_it: Node) -> str:
 
 def at_one_time(statement: Statement, moving: frozenset[Letter]) -> tuple[Statement, Node | None]:
     """A statement such as x(0) = a as one of x, with the time at which it is said of it."""
-    calls = {
-        node
-        for side in statement.sides
-        for node in n.walked(side)
-        if isinstance(node, n.Call) and bare(node.function) in moving
-    }
+    nodes = [node for side in statement.sides for node in n.walked(side)]
+    calls = [node for node in nodes if isinstance(node, n.Call) and bare(node.function) in moving]
     times = {node.places for node in calls}
     inside = Counter(x for node in calls for x in n.walked(node) if x in moving)
-    everywhere = {x for side in statement.sides for x in n.letters(side)} & moving
-    if len(times) != 1 or everywhere - {*inside}:
+    if len(times) != 1 or Counter(x for x in nodes if x in moving) != inside:
         return statement, None
     [places] = times
     if len(places) != 1 or not isinstance(places[0], n.Number):
@@ -307,7 +302,7 @@ def at_one_time(statement: Statement, moving: frozenset[Letter]) -> tuple[Statem
 def _stays(passage: Passage) -> bool:
     """Whether words say of θ = θ₀ that it is so all the time, or suppose it of no start."""
     supposed = Cue.CASE in passage.cues and not _STARTS.search(passage.before)
-    return supposed or Cue.EQUILIBRIUM in passage.cues
+    return supposed or bool(passage.cues & {Cue.EQUILIBRIUM, Cue.GENERAL})
 
 
 def _is_start(statement: Statement) -> bool:

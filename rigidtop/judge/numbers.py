@@ -132,5 +132,5 @@ def _exponent(text: str, nearly: bool = False) -> int:
     return exponent if isinstance(exponent, int) else 0
 
 
-_FIGURES = 3
+_FIGURES = 2
 """Zeros at the end of a rounded number count up to so many figures."""

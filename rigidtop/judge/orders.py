@@ -211,9 +211,9 @@ class Gap:
     rounding: NDArray[np.float64]
 
     @property
-    def is_resolved(self) -> bool:
-        """Whether rounding would change nothing that is seen."""
-        return bool((self.rounding < LITTLE / 4 * np.maximum(self.share, 1)).all())
+    def resolved(self) -> NDArray[np.bool_]:
+        """In which worlds rounding would change nothing that is seen."""
+        return np.asarray(self.rounding < LITTLE / 4 * np.maximum(self.share, 1))
 
 
 def _gap_of(
@@ -230,27 +230,29 @@ Gaps = Callable[[int], Gap | None]
 """The gap after so many steps; None where it has no value."""
 
 
-def _last(gap_at: Gaps) -> tuple[int, Gap | None]:
+def _last(gap_at: Gaps, enough: float = 1.0) -> tuple[int, Gap | None]:
     """The last step at which rounding does not hide a gap, and the gap there.
 
-    1 − cos x is lost in the rounding of 1 where x is small enough.
+    1 − cos x is lost in the rounding of 1 where x is small enough.  A share of the worlds in which
+    it is not hidden may be `enough`.
     """
     for step in reversed(range(1, STEPS)):
         gap = gap_at(step)
-        if gap is None or gap.is_resolved or not np.isfinite(gap.share).all():
+        if gap is None or gap.resolved.mean() >= enough or not np.isfinite(gap.share).all():
             break
     return step, gap
 
 
 def _stays(gap_at: Gaps) -> bool:
     """Whether in every world a gap is not seen to go to zero at the last two steps."""
-    step, last = _last(gap_at)
-    if last is None or not last.is_resolved:
-        return False
+    step, last = _last(gap_at, enough=0.5)
     before = gap_at(step - 1)
-    if before is None or not np.isfinite([before.share, last.share]).all():
+    if last is None or before is None:
         return False
-    return bool(((last.share > LITTLE) & (last.share >= STAYS * before.share)).all())
+    if not np.isfinite([before.share, last.share]).all() or not last.resolved.any():
+        return False
+    stays = (last.share > LITTLE) & (last.share >= STAYS * before.share)
+    return bool(stays[last.resolved].all())
 
 
 def _gap(
@@ -307,7 +309,8 @@ def _settled(
     rates = {
         k for k, x in enumerate(worlds.letters) if (jet := jet_of(x)) is not None and jet.order
     }
-    wider = [top, top | rates - {*scaled}, {*numbers} - {*scaled}]
+    held = {*scaled} - rates or {*scaled}  # of a small motion the rates are what they have to be
+    wider = [top, top | rates - held, {*numbers} - {*scaled}]
     first = None
     for places in (x for x in wider if x):
         moved, holds = _moved(equations, worlds, points, sorted(places))

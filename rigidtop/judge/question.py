@@ -337,10 +337,38 @@ class Question:
         rates = self._rates(both)
         if all(a == b == 0 for a, b in rates):
             return False
-        return bool(self._times.holds(rates)) and any(
-            self._times.holds([(self.then(a, x), self.then(b, x)) for a, b in both])
-            for x in instants
+        if not self._times.holds(rates):
+            return self._stays_equal(both) or self._stays_equal([*both, *rates])
+        still = self._stand_still(rates)
+        then = [self._then(both, x) for x in instants]
+        return any(
+            self._times.holds(pairs) and not (still and self._stand_still(pairs)) for pairs in then
         )
+
+    def _stays_equal(self, both: Sequence[Pair]) -> bool:
+        """Whether sides are equal at an instant of which they speak, and stay so if they are.
+
+        So it is with x = x(0) cos wt + y(0) sin wt: what holds has one solution for a start.
+        """
+        spoken = {jet.instant for pair in both for x in pair for jet in jets(x).values()} - {""}
+        rates = self._rates(both)
+        for instant in spoken:
+            then = self._then(both, instant)
+            there = replace(self, premises=replace(self.premises, instant=instant))
+            known = there.of([*both, *rates, *then]).worlds
+            equal = [*known.equations, *(a - b for a, b in both)]
+            alike = w.found(equal, known.letters, self.context.results, self.premises.not_zero)
+            if alike.count and alike.holds(rates) and known.holds(then):
+                return True
+        return False
+
+    def _then(self, both: Sequence[Pair], instant: str) -> list[Pair]:
+        return [(self.then(a, instant), self.then(b, instant)) for a, b in both]
+
+    def _stand_still(self, both: Sequence[Pair]) -> bool:
+        """Whether sides vanish, each by itself."""
+        written = [x for pair in both for x in pair if 0 not in pair]
+        return bool(written) and self._times.vanish(written)
 
     @property
     def _instants(self) -> set[str]:

@@ -46,7 +46,8 @@ def read_text(
 
 def statements_of(text: Sequence[Passage], macros: Macros, until: float = inf) -> Read:
     """What each formula states, read with the functions of the whole text."""
-    text = [replace(x, text=_MARGIN.sub(lambda m: " " * len(m[0]), x.text)) for x in text]
+    for nothing in (_MARGIN, _TICKS):
+        text = [replace(x, text=nothing.sub(lambda m: " " * len(m[0]), x.text)) for x in text]
     text = _with_units(text)
     text = [replace(x, text=_THIN.sub(_closed_up, x.text)) for x in text]
     if any(_POINT.search(passage.text) for passage in text):
@@ -149,6 +150,8 @@ _MARGIN = re.compile(
     r"[^\\&\n]*(?:\\(?!\\)[^\\&\n]*)*"
 )
 """What is done with a row, behind a bar in its margin: | : sin θ."""
+_TICKS = re.compile(r"[✓✔☑✅∎□■]|\\(?:checkmark|square|blacksquare|qed)(?![a-zA-Z])")
+"""Signs that something is so, or shown."""
 _POINT = re.compile(r"\d\.\d")
 _THOUSANDS = re.compile(r"(?<![\d.])\d{1,3}(?:\{,\}\d{3})+(?!\d)")
 """A comma between thousands, where a point stands before decimals."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sympy import Abs, Expr
+from sympy import Abs, Expr, Rational
 
 from rigidtop.judge.context import PREMISE as SUPPOSED
 from rigidtop.judge.outcome import ASSUMING, FALSE, Outcome
@@ -48,12 +48,13 @@ def but_for_a_sign(question: Question) -> Judgement | None:
 def _has_root(side: Node, value: Expr, worlds: Worlds) -> bool:
     """Whether a root, or |x|, is in how a side is written or in what it stands for.
 
-    What is positive anyway, as |g|, has no sign to lose.
+    What is positive anyway, as |g|, has no sign to lose; the length N of a vector has lost it.
     """
+    length = isinstance(side, n.Letter) and value.is_Pow and value.exp == Rational(1, 2)
     inside = [x.args[0] for x in value.atoms(Abs)]
     signs = worlds.signs(inside) if inside else None
     lost = bool(inside) and (signs is None or bool((signs < 0).any()))
-    return lost or any(isinstance(x, n.Root | n.Absolute) for x in n.walked(side))
+    return lost or length or any(isinstance(x, n.Root | n.Absolute) for x in n.walked(side))
 
 
 def one_root(question: Question) -> Judgement | None:

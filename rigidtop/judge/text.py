@@ -155,6 +155,7 @@ def reading(source: str, macros: Macros | None = None, until: float = inf) -> Re
         extended=_EXTENDED.search(source) is not None,
         units=_unit_vectors(read),
         driven=_driven(read),
+        moving=habits.moving - _constant(read, stated),
     )
     moments = instants(read, habits.moving)
     asked = (
@@ -196,6 +197,23 @@ _UNITS = re.compile(
 _A_UNIT = re.compile(r",? ?(?:is |be |as )?an? unit vector\b|,? ?(?:ist )?ein Einheitsvektor", re.I)
 _THE_UNIT = re.compile(r"\bunit vector ?\Z|\bEinheitsvektor ?\Z|\bvecteur unitaire ?\Z", re.I)
 _NOT = re.compile(r"\b(?:not?|neither|length|nicht|kein)\b", re.I)
+
+
+def _constant(read: Read, stated: Iterable[Statement]) -> frozenset[Letter]:
+    """The letters that words call constant and that have no rate anywhere."""
+    named = {
+        each.sides[0]
+        for passage, each in read
+        if isinstance(each, Statement) and not each.relations and Cue.CONSTANT in passage.cues
+    }
+    rates = {
+        n.ungrouped(node.of)
+        for each in stated
+        for side in each.sides
+        for node in n.walked(side)
+        if isinstance(node, n.TimeDerivative)
+    }
+    return frozenset(x for x in named - rates if isinstance(x, Letter))
 
 
 def _driven(read: Read) -> frozenset[Letter]:
@@ -287,7 +305,11 @@ def _step(
                 return None, context.holding(one)
             context = _on_circle(each.sides[0], passage, asked.number, context)
             return None, _tending(each.sides[0], passage, context)
-        each = Statement((n.TimeDerivative(each.sides[0]), n.Number("0")), ("=",), each.position)
+        [said] = each.sides
+        still = isinstance(said, Letter) and not is_vector(said) and said not in read.habits.moving
+        if still and said not in context.definitions:
+            return row(Outcome(PREMISE, "a constant")), context  # as it is without a rate anywhere
+        each = Statement((n.TimeDerivative(said), n.Number("0")), ("=",), each.position)
     if Cue.CONSTRAINT in passage.cues:
         return row(Outcome(PREMISE, "a constraint")), context
     if Cue.REST in passage.cues:

@@ -71,6 +71,13 @@ _SUPPOSED_BEHIND = re.compile(
 )
 """All that stands between a formula and the one that says where it holds."""
 
+_WITH = re.compile(r"\b(?:with|mit|avec) ?\Z", re.I)
+_ONE_HAS = re.compile(
+    r",? ?(?:one|we|you|it|this|man|on|hat man|erhält man)\b(?: (?:has|have|gets?|finds?|obtains?"
+    r"|becomes?|is|hat|erhält|a|obtient))?\b"
+)
+"""Around a formula that is put in, as in "with § one has §"."""
+
 LONGEST = 200
 """Of the words in front of a formula no more are looked at, and no more behind it."""
 
@@ -88,6 +95,8 @@ def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
     if not display:
         if _SUPPOSED_BEHIND.fullmatch(behind):
             heard |= {Cue.CASE, Cue.MOMENT}
+        if _WITH.search(before) and _ONE_HAS.match(behind):
+            heard |= {Cue.CASE}
         heard |= {cue for cue, pattern in _INLINE.items() if pattern.search(before)}
         if Cue.RANGE in heard and not (_TO.match(behind) or _UP_TO.search(before)):
             heard -= {Cue.RANGE}

@@ -24,7 +24,7 @@ MARKS: Final = {
 STYLES: Final = {
     **dict.fromkeys(commands("mathcal mathscr"), "SCRIPT"),
     r"\mathfrak": "FRAKTUR",
-    r"\mathbb": "DOUBLE-STRUCK",
+    **dict.fromkeys(commands("mathbb mathbbm mathds"), "DOUBLE-STRUCK"),
 }
 SLANTED: Final = commands("mathit mathnormal")
 DRESS: Final = BOLD.union(DOTS, MARKS, STYLES)

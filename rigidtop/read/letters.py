@@ -14,6 +14,7 @@ from rigidtop.tree.nodes import (
     Bracketed,
     Letter,
     Node,
+    Number,
     Primed,
     Product,
     Remainder,
@@ -87,6 +88,8 @@ def lettered(grammar: Grammar) -> Node:
     """Letters in another script, as they are where Unicode has none."""
     style = STYLES[grammar.take().text]
     text = written(grammar.argument())
+    if text.isdigit():  # 1 is the unit matrix
+        return Number(text)
     try:
         base = "".join(styled(each, style) for each in text)
     except KeyError:

@@ -115,21 +115,24 @@ def _cued(made: Sequence[Passage]) -> Iterator[Passage]:
             opening = opening if enumerates(passage.before) else passage.before
 
 
+_WHEN = frozenset({Cue.MOMENT, Cue.GENERAL})
+
+
 def _together(made: Sequence[Passage]) -> Iterator[Passage]:
-    """Passages; what is said behind the last of a list, as "at the start", is said of all of it."""
+    """Passages; when the last of a list is so ("at the start", "at all times"), all of it is."""
     after: Passage | None = None
     together = []
     for passage in reversed(made):
         if (
             after is not None
-            and Cue.MOMENT in after.cues
+            and after.cues & _WHEN
             and not (passage.display or after.display)
             and after.sentence == passage.sentence
             and after.before.strip()
             and enumerates(after.before)
         ):
             behind = passage.behind + after.behind
-            passage = replace(passage, cues=passage.cues | {Cue.MOMENT}, behind=behind)
+            passage = replace(passage, cues=passage.cues | after.cues & _WHEN, behind=behind)
         together.append(passage)
         after = passage
     return reversed(together)

@@ -280,8 +280,8 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"\b(?:in (?:a row|series|parallel)|side by side|next to each other|seen (?:from|by)"
         r"|observer|in the frame|cent(?:re|er) of mass|moon|vacuum|under water|lift that"
         r"|(?:turning|rotating|moving|accelerating) (?:\w+ )?(?:axes|frame|disc|table|train|car)"
-        r"|upside down|lets? go|burn-?out|on (?:its|the) way (?:up|down|back)|earlier|later"
-        r"|behind the|carousel|twins?|held (?:fast|still|fixed)|is held"
+        r"|upside down|(?<!is )(?<!are )lets? go|burn-?out|on (?:its|the) way (?:up|down|back)"
+        r"|earlier|later|behind the|carousel|twins?|held (?:fast|still|fixed)|is held"
         r"|in step|in phase|out of phase|against each other|numbered"
         r"|(?:keeps?|has|with) (?:its|the) (?:natural )?length)\b",
     ),
@@ -366,8 +366,8 @@ WITHIN: dict[Cue, tuple[str, ...]] = {
         r"|exact(?:ly)?|without (?:the |this )?approximations?"
         r"|on the other hand|(?:for|at|in) (?:any|all|every|each)(?: other)?(?:\Z| (?:times?|t\b|§"
         r"|moments?|points?|places?|positions?|distances?|angles?|instants?|motions?))"
-        r"|everywhere|throughout|all the way|(?:on|during|along) the whole \w+|überall|partout"
-        r"|(?<!as )always"
+        r"|(?<!the same )everywhere|throughout|all the way|(?:on|during|along) the whole \w+"
+        r"|überall|partout|(?<!as )always"
         r"|(?:im )?allgemein(?:en)?|wieder|exakt|genau|andererseits|jederzeit|zu jeder Zeit|stets"
         r"|en général|à nouveau|exactement|d['’]autre part|à tout instant|toujours)\b",
     ),

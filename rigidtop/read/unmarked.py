@@ -43,11 +43,12 @@ _RATE = re.compile(rf"(?:{'|'.join(sorted(_GREEK))}|[a-zA-Z])d{{1,2}}ot")
 _VOWEL = re.compile("[aeiouyäöü]", re.I)
 _LETTER = re.compile(r"[^\W_]")
 _WORD = re.compile(
-    rf"(?<![\\A-Za-z])(?:(?P<rate>d{{1,2}}ot)\((?P<of>{'|'.join(sorted(_GREEK))}|[A-Za-z])\)"
+    r"\*\*(?P<bold>[^\s*\\]{1,4})\*\*"
+    rf"|(?<![\\A-Za-z])(?:(?P<rate>d{{1,2}}ot)\((?P<of>{'|'.join(sorted(_GREEK))}|[A-Za-z])\)"
     rf"|(?P<greek>{'|'.join(sorted(_GREEK, key=len, reverse=True))})|(?P<latin>[A-Za-z]))"
     r"(?:_?(?P<dots>d{1,2})ot)?(?![A-Za-z])"
 )
-"""A letter that is written as a word, or a rate of one: phi, phidot, dot(phi)."""
+"""A letter that is written as a word, or a rate of one: phi, phidot, dot(phi); or **bold**."""
 
 
 def as_tex(text: str) -> tuple[str, Callable[[int], int]]:
@@ -59,13 +60,15 @@ def as_tex(text: str) -> tuple[str, Callable[[int], int]]:
     """
     parts, starts, at, length = [], [(0, 0)], 0, 0
     for match in _WORD.finditer(text):
-        if not (match["greek"] or match["dots"] or match["rate"]):
+        if not (match["bold"] or match["greek"] or match["dots"] or match["rate"]):
             continue
         name = match["of"] or match["greek"] or match["latin"]
         letter = f"\\{name}" if name in _GREEK else name
         rate = match["rate"] or (f"{match['dots']}ot" if match["dots"] else "")
         behind = " " if text[match.end() :][:1].isalnum() else ""
-        new = f"\\{rate}{{{letter}}}" if rate else letter + behind
+        new = f"\\{rate}{{{letter}}}" if rate else f"{letter}{behind}"
+        if match["bold"]:
+            new = f"\\mathbf{{{match['bold']}}}"
         parts += [text[at : match.start()], new]
         length += match.start() - at + len(new)
         at = match.end()

@@ -14,6 +14,17 @@ VARIED = (
     r"From $$\ddot\theta = W^2\sin\theta\cos\theta - k\sin\theta, \quad "
     r"k\sin\theta_0 = W^2\sin\theta_0\cos\theta_0$$ we get to first order "
 )
+TURNING = r"It obeys $\dot x = w y$ and $\dot y = -w x$ with a constant $w$. So "
+CIRCLE = (
+    r"$$m\ddot r = \frac{\ell^2}{m r^3} - \frac{k}{r^n}$$ The circle of radius $a$ has "
+    r"$\ddot r = 0$, hence $$\ell^2 = m k a^{3-n}$$ "
+    r"Put $r = a + u$ and keep the first order in $u$: "
+)
+BOOK = (
+    r"$$A\dot x = (B - C)yz, \quad B\dot y = (C - A)zx, \quad C\dot z = (A - B)xy$$ "
+    r"With small deviations $$x = u, \quad y = n + v, \quad z = w$$ To first order in $u, v, w$ "
+    r"$$A\dot u = (B - C)n w, \quad C\dot w = (A - B)n u$$ and "
+)
 OSCILLATOR = "It obeys $\\ddot x = -\\omega^2 x$. Its solution is "
 
 
@@ -108,6 +119,50 @@ OSCILLATOR = "It obeys $\\ddot x = -\\omega^2 x$. Its solution is "
         # An angle whose sine vanishes may be 0 as well as π.
         (r"We need $\sin\theta_0 = 0$. Below it is $\cos\theta_0 = 1$", None),
         (r"We need $\sin\theta_0 = 0$. Above it is $\cos\theta_0 = -1$", None),
+        # What is written with its own start is not what is so at the start.
+        (TURNING + r"$$x = x(0)\cos wt + y(0)\sin wt$$", True),
+        (TURNING + r"$$x = x(0)\cos wt - y(0)\sin wt$$", False),
+        # A rate that words call constant is no coordinate, whatever else is tied to it.
+        (
+            r"A rod turns at the constant rate $w$. Since $$L = \frac12 m(\dot r^2 + w^2 r^2)$$ "
+            r"we have $$\ddot r = w^2 r$$ and, if it starts at $r = a$ with $\dot r = 0$, "
+            r"$$r = a\cosh wt$$ It pushes with $$N = 2 m w\dot r = 2 m a w^2\sinh wt$$ and "
+            r"$$T = \frac12 m a^2w^2\cosh 2wt$$ so that $$\dot T = N w r$$",
+            True,
+        ),
+        # Where a motion leaves a special one, that is over, and what it said of constants is not.
+        (CIRCLE + r"$$m\ddot u = -(3 - n)\frac{\ell^2}{m a^4}u$$", True),
+        (CIRCLE + r"$$m\ddot u = -(3 - n)\frac{\ell^2}{m a^3}u$$", False),
+        (
+            r"$$\ddot\theta = \dot\phi^2\sin\theta\cos\theta - k\sin\theta, \quad "
+            r"p = \dot\phi\sin^2\theta = \text{const}$$ On the circle $\theta = \theta_0$ and "
+            r"$\dot\phi = W$ for all times. Let $\theta = \theta_0 + u$ with small $u$ and the "
+            r"same $p = W\sin^2\theta_0$. To first order $$\ddot u = -W^2(1 + 2\cos^2\theta_0) u$$",
+            None,
+        ),
+        # One that is let go is no other one.
+        (
+            r"$$\ddot x = 2 c t$$ It is let go at rest, $x = 0$ and $\dot x = 0$ at $t = 0$: "
+            r"$$\dot x = c t^2$$ $$x = \frac12 c t^3$$",
+            False,
+        ),
+        # Rounding in one world does not hide in others that a term is as large as what is left out.
+        (
+            r"$$s = \sqrt{a^2 + y^2}, \quad m\ddot y = -2 k y\left(1 - \frac bs\right)$$ "
+            r"For small $y$ $$s\approx a + \frac{y^2}{2 a} - \frac{y^4}{4 a^3}$$",
+            False,
+        ),
+        # A product of two small things is left out; rates of a small motion follow from the rest.
+        (BOOK + r"$$B\dot v = 0$$", True),
+        (BOOK + r"$$\ddot u = \frac{(B - C)(A - B)}{A C}n^2 u$$", True),
+        # The same everywhere is not in general.
+        (
+            "$$m\\ddot r = m w^2 r - k(r - b)$$\n\n### $k = m w^2$\n\nNow the force is the same "
+            "everywhere:\n\n$$\\ddot r = w^2 b$$",
+            True,
+        ),
+        # A zero at the end may be rounded.
+        (r"It takes $t = 3.7\cdot 160\ \mathrm s$. $$t\approx 590\ \mathrm s$$", True),
     ],
 )
 def test_what_becomes_of_the_last_formula(text, expected):
