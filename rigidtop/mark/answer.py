@@ -269,7 +269,8 @@ class _Answer:
         judgements = _judged(quick, each, at, self.contexts, limits)
         along, known = variants.aligned(each, self.contexts)
         fails = not any(outcome.passed for outcome, _ in judgements)
-        if along is not each and (at.supposed or (fails and at.inline)):
+        chosen = fails and (at.inline or self._is_kept(each, at, limits))
+        if along is not each and (at.supposed or chosen):
             judgements = _judged(quick, along, at.hearing(Cue.CASE), known, limits)
             if len(each.sides) > 2:  # and what it is besides
                 known = tuple(context for _, context in judgements)
@@ -293,6 +294,13 @@ class _Answer:
             if any(outcome.passed for outcome, _ in again):
                 return vector, again
         return each, judgements
+
+    def _is_kept(self, each: Statement, at: Situation, limits: _Limits) -> bool:
+        """Whether the left side does not change, so that an axis may be laid along it."""
+        rate = n.TimeDerivative(each.sides[0])
+        still = replace(each, sides=(rate, n.Number("0")), relations=("=",))
+        quick = Judge(self.judge.memory, patience=Patience(0))
+        return all(x.passed for x, _ in _judged(quick, still, at, self.contexts, limits))
 
     def _after_example(
         self, each: Statement, at: Situation, limits: _Limits
