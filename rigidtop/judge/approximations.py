@@ -54,7 +54,16 @@ from rigidtop.tree.statement import Statement
 
 def judged(question: Question) -> Judgement:
     """The outcome of ≈; raises UnclearError."""
-    question = _with_little_free(question)
+    named = question.context
+    names = frozenset[Letter]().union(*named.little) & named.definitions.keys()
+    outcome, context = _judged(_with_free(names, question))
+    # What is behind it has the letters' meaning as it was.
+    kept = tuple(c for c in context.constraints if c.left not in names or c in named.constraints)
+    definitions = {x: named.definitions[x] for x in names} | {**context.definitions}
+    return outcome, replace(context, constraints=kept, definitions=definitions)
+
+
+def _judged(question: Question) -> Judgement:
     if question.inner and question.worlds.vanish([left for left, _ in question.both]):
         # Of 0 = a ≈ b it is asked how a becomes b, whatever it is that vanishes.
         said = question.left
@@ -95,18 +104,18 @@ def judged(question: Question) -> Judgement:
     return Outcome(UNDECIDED, "it is not seen for what it is nearly true"), context
 
 
-def _with_little_free(question: Question) -> Question:
-    """The question where a letter that is said to be small is one, and equal to what it is for.
+def _with_free(names: frozenset[Letter], question: Question) -> Question:
+    """The question where some letters are equal to what they stand for, and not written out.
 
-    Then it can be made smaller: ε of ε = a/b² ≪ 1.
+    Then they can be made smaller: ε of ε = a/b² ≪ 1.
     """
     context = question.context
-    for letter in frozenset[Letter]().union(*context.little):
-        if (meant := context.definitions.get(letter)) is not None:
-            others = {x: each for x, each in context.definitions.items() if x != letter}
-            equal = Constraint(letter, meant.node, meant.number, SETTING, meant.scope)
-            context = replace(context, definitions=others).holding(equal)
-    return question.within(context) if context is not question.context else question
+    for letter in names:
+        meant = context.definitions[letter]
+        others = {x: each for x, each in context.definitions.items() if x != letter}
+        equal = Constraint(letter, meant.node, meant.number, SETTING, meant.scope)
+        context = replace(context, definitions=others).holding(equal)
+    return question.within(context) if names else question
 
 
 def tending(question: Question) -> Judgement:

@@ -140,10 +140,10 @@ def _nothing(question: Question) -> Judgement | None:
 
 
 def _forced(question: Question, terms: Sequence[Expr]) -> Judgement | None:
-    """What becomes of it in an answer where each of its terms has to vanish by what that supposes.
+    """What becomes of it where each of its terms has to vanish by what is supposed.
 
-    A constant of the answer's own that nothing sets is zero only as all has to be, and what it
-    supposes of what moves may go together with the facts only where that rests.
+    A constant of an answer's own that nothing sets is zero only as all has to be, and what the
+    answer supposes of what moves may go together with the facts only where that rests.
     """
     context = question.context
     numbers = filter(None, map(jet_of, question.worlds.zeros))

@@ -330,7 +330,7 @@ class Question:
         return Outcome(SAMPLED, "", self.rests_on), context
 
     def is_kept(self, both: Sequence[Pair]) -> bool:
-        """Whether the difference of two sides does not change, and vanishes at an instant."""
+        """Whether sides are equal at an instant, and so, by how they change, all the time."""
         instants = self._instants
         if self.at.instant or self.path is not None or not self.worlds.count or not instants:
             return False

@@ -352,12 +352,12 @@ def _half_turns(
     """Which letters are angles that are multiples of π in all worlds, and not zero in all."""
     with np.errstate(all="ignore"):
         whole = np.abs(np.sin(points)) < 1e-6
-    made: NDArray[np.bool_] = np.logical_and(whole.all(axis=1), (np.abs(points) > 1).any(axis=1))
-    if not made.any():
-        return made
-    bare = [e.replace(TrigonometricFunction, lambda *_: Integer(1)) for e in equations]
-    free = {x for e in bare for x in symbols(e)}
-    return np.array([turns and x not in free for x, turns in zip(letters, made, strict=True)])
+    turns: NDArray[np.bool_] = np.logical_and(whole.all(axis=1), (np.abs(points) > 1).any(axis=1))
+    if not turns.any():
+        return turns
+    outside = [e.replace(TrigonometricFunction, lambda *_: Integer(1)) for e in equations]
+    free = {x for e in outside for x in symbols(e)}
+    return turns & [x not in free for x in letters]
 
 
 def _with_amplitudes(

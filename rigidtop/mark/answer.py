@@ -110,7 +110,6 @@ def mark(
 _CODE = re.compile(r"(?<![`\\])`([^`'\n]+)`(?!`)")
 """A formula that is marked as code, as some write plain text."""
 
-
 _IN_WORDS = re.compile(r"['′]|\\?sin\s*\^\{?2\}?\s*\+\s*\\?cos\s*\^\{?2\}?\s*=\s*1")
 """A prime alone, and sin² + cos² = 1 of whatever angle, are parts of the words."""
 
@@ -269,8 +268,9 @@ class _Answer:
         judgements = _judged(quick, each, at, self.contexts, limits)
         along, known = variants.aligned(each, self.contexts)
         fails = not any(outcome.passed for outcome, _ in judgements)
-        chosen = fails and (at.inline or self._is_kept(each, at, limits))
-        if along is not each and (at.supposed or chosen):
+        if along is not each and (
+            at.supposed or (fails and (at.inline or self._is_kept(each, at, limits)))
+        ):
             judgements = _judged(quick, along, at.hearing(Cue.CASE), known, limits)
             if len(each.sides) > 2:  # and what it is besides
                 known = tuple(context for _, context in judgements)
@@ -297,10 +297,8 @@ class _Answer:
 
     def _is_kept(self, each: Statement, at: Situation, limits: _Limits) -> bool:
         """Whether the left side does not change, so that an axis may be laid along it."""
-        rate = n.TimeDerivative(each.sides[0])
-        still = replace(each, sides=(rate, n.Number("0")), relations=("=",))
-        quick = Judge(self.judge.memory, patience=Patience(0))
-        return all(x.passed for x, _ in _judged(quick, still, at, self.contexts, limits))
+        still = variants.unchanging(each)
+        return all(x.passed for x, _ in _judged(self.judge, still, at, self.contexts, limits))
 
     def _after_example(
         self, each: Statement, at: Situation, limits: _Limits
@@ -391,8 +389,7 @@ class _Answer:
         if in_body is not None:
             yield in_body, FALSE
         if (vectors := variants.of_vectors(each, self.contexts)) is not None:
-            yield vectors, FALSE
-            yield vectors, UNDECIDED
+            yield from ((vectors, verdict) for verdict in (FALSE, UNDECIDED))
 
     def _lost(self, each: Statement) -> list[str]:
         """What a line that follows leaves out that the facts allow, unless that is excluded."""

@@ -108,6 +108,11 @@ def aligned(
     return along, known
 
 
+def unchanging(each: Statement) -> Statement:
+    """That the left side of a statement does not change."""
+    return replace(each, sides=(n.TimeDerivative(each.sides[0]), ZERO), relations=("=",))
+
+
 def of_vectors(each: Statement, contexts: Sequence[Context]) -> Statement | None:
     """The statement with vectors for letters with a point or a cross between, as plain ω·L."""
     given = frozenset().union(*(context.given for context in contexts))

@@ -70,9 +70,9 @@ class KnownVectors:
                 # The last one that can be, unless another one has to be.
                 order = sorted(range(len(factors)), key=lambda k: (self.is_vector(factors[k]), k))
                 for k in reversed(order):
-                    made = self.vector(factors[k])
-                    if made != factors[k] or self.is_vector(factors[k]):
-                        return n.Product((*factors[:k], made, *factors[k + 1 :]))
+                    vector = self.vector(factors[k])
+                    if vector != factors[k] or self.is_vector(factors[k]):
+                        return n.Product((*factors[:k], vector, *factors[k + 1 :]))
         return node
 
     def bold(self, letter: Letter) -> bool:

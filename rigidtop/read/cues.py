@@ -76,7 +76,8 @@ _ONE_HAS = re.compile(
     r",? ?(?:one|we|you|it|this|man|on|hat man|erhält man)\b(?: (?:has|have|gets?|finds?|obtains?"
     r"|becomes?|is|hat|erhält|a|obtient))?\b"
 )
-"""Around a formula that is put in, as in "with § one has §"."""
+_VALUE = re.compile(r"=\s*[-−+]?\s*\\?(?:[\d./]+|pi|π)\s*\Z")
+"""A number that is put in: "with § one has §" where § is cos θ = 0."""
 
 LONGEST = 200
 """Of the words in front of a formula no more are looked at, and no more behind it."""
@@ -95,7 +96,7 @@ def cues(before: str, behind: str, text: str, display: bool) -> frozenset[Cue]:
     if not display:
         if _SUPPOSED_BEHIND.fullmatch(behind):
             heard |= {Cue.CASE, Cue.MOMENT}
-        if _WITH.search(before) and _ONE_HAS.match(behind):
+        if _WITH.search(before) and _ONE_HAS.match(behind) and _VALUE.search(text):
             heard |= {Cue.CASE}
         heard |= {cue for cue, pattern in _INLINE.items() if pattern.search(before)}
         if Cue.RANGE in heard and not (_TO.match(behind) or _UP_TO.search(before)):

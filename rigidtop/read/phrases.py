@@ -157,8 +157,7 @@ BEFORE: dict[Cue, tuple[str, ...]] = {
         r"\bI (?:assume|take|suppose)(?: that)?",
         rf"{START}(?:an?|the) [\w-]+ (?:that|which) (?:only|just|merely|simply) [\w-]+,?",
         r"\b(?:choose|put|take|lay|turn|lege(?:n)?|wähle(?:n)?)\b[^.;]{0,40}"
-        r" (?:along|parallel to|entlang|parallel zu|in (?:the direction of|Richtung(?: von)?))"
-        r" (?:it|this|that|§|ihm|ihn)",
+        r" (?:along|parallel to|entlang|parallel zu) (?:it|this|that|§|ihm|ihn)",
         rf"\b(?:angenommen|nimm an|nehmen (?:wir )?an|sei(?:en)?|sind nun"
         rf"|setze(?:n wir)?),?(?: nun| dass)*{NOUN}",
         rf"\b(?:supposons|soi(?:t|ent)|posons|on pose|prenons)(?: que| alors)*{NOUN}",

@@ -161,6 +161,12 @@ OSCILLATOR = "It obeys $\\ddot x = -\\omega^2 x$. Its solution is "
             "everywhere:\n\n$$\\ddot r = w^2 b$$",
             True,
         ),
+        # What a small letter stands for is no special case that ends "in general".
+        (
+            r"Let $u = a/b^2$ with $u\ll1$. $$\sqrt{1 + u}\approx 1 + \frac u2$$ In general "
+            r"$$u b^2 = a$$",
+            True,
+        ),
         # A zero at the end may be rounded.
         (r"It takes $t = 3.7\cdot 160\ \mathrm s$. $$t\approx 590\ \mathrm s$$", True),
     ],
